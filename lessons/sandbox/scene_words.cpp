@@ -109,7 +109,7 @@ List<Flag> setting_flags() {
   return joined_flags(flags,
                       {{"frequency", "HZ", "steps a second"},
                        {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
-                       {"scalar", "WHICH", "float, double or long-double"},
+                       {"scalar", "WHICH", "float or double"},
                        {"stabilization", "WHICH",
                         "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
                        {"cold", "", "every step begins without the impulses of the last"}});

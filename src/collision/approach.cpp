@@ -102,13 +102,9 @@ Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<
 
 template struct Course<float>;
 template struct Course<double>;
-template struct Course<long double>;
 template Approach<float> approach(const Shape<float>&, const Course<float>&, const Shape<float>&,
                                   const Course<float>&, float, float, float);
 template Approach<double> approach(const Shape<double>&, const Course<double>&, const Shape<double>&,
                                    const Course<double>&, double, double, double);
-template Approach<long double> approach(const Shape<long double>&, const Course<long double>&,
-                                        const Shape<long double>&, const Course<long double>&, long double,
-                                        long double, long double);
 
 }  // namespace cairn

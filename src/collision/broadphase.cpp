@@ -183,6 +183,5 @@ const List<std::pair<int, int>>& Broadphase<Real>::pairs(Span<const Aabb<Real>> 
 
 template class Broadphase<float>;
 template class Broadphase<double>;
-template class Broadphase<long double>;
 
 }  // namespace cairn

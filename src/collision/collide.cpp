@@ -40,8 +40,5 @@ template Manifold<float> collide(const Shape<float>&, const Frame<float>&, const
                                  const Frame<float>&, float, const SurroundingsOf<float>&);
 template Manifold<double> collide(const Shape<double>&, const Frame<double>&, const Shape<double>&,
                                   const Frame<double>&, double, const SurroundingsOf<double>&);
-template Manifold<long double> collide(const Shape<long double>&, const Frame<long double>&,
-                                       const Shape<long double>&, const Frame<long double>&, long double,
-                                       const SurroundingsOf<long double>&);
 
 }  // namespace cairn

@@ -223,7 +223,5 @@ template Manifold<float> collide_beside(const Pair<float>&, Side, const Surround
                                         const Rotation<float>&);
 template Manifold<double> collide_beside(const Pair<double>&, Side, const Surroundings<double>&,
                                          const Rotation<double>&);
-template Manifold<long double> collide_beside(const Pair<long double>&, Side,
-                                              const Surroundings<long double>&, const Rotation<long double>&);
 
 }  // namespace cairn::narrowphase

@@ -79,8 +79,5 @@ template KeptManifold<float> keep(const Manifold<float>&, const Frame<float>&, f
 template struct KeptManifold<double>;
 template KeptManifold<double> keep(const Manifold<double>&, const Frame<double>&, double,
                                    const Frame<double>&, double);
-template struct KeptManifold<long double>;
-template KeptManifold<long double> keep(const Manifold<long double>&, const Frame<long double>&, long double,
-                                        const Frame<long double>&, long double);
 
 }  // namespace cairn

@@ -80,6 +80,5 @@ void NearPairs<Real>::find_pairs_of_moved() {
 
 template class NearPairs<float>;
 template class NearPairs<double>;
-template class NearPairs<long double>;
 
 }  // namespace cairn

@@ -82,7 +82,5 @@ RoundedHull<Real> rounded_hull(const Shape<Real>& shape, const Frame<Real>& fram
 
 template RoundedHull<float> rounded_hull(const Shape<float>&, const Frame<float>&, const Vec2<float>&);
 template RoundedHull<double> rounded_hull(const Shape<double>&, const Frame<double>&, const Vec2<double>&);
-template RoundedHull<long double> rounded_hull(const Shape<long double>&, const Frame<long double>&,
-                                               const Vec2<long double>&);
 
 }  // namespace cairn

@@ -256,9 +256,7 @@ Surroundings<Real> surroundings_cast(const Surroundings<double>& surroundings) {
 
 template Surroundings<float> link_surroundings(const Chain<float>&, int);
 template Surroundings<double> link_surroundings(const Chain<double>&, int);
-template Surroundings<long double> link_surroundings(const Chain<long double>&, int);
 template Surroundings<float> surroundings_cast(const Surroundings<double>&);
 template Surroundings<double> surroundings_cast(const Surroundings<double>&);
-template Surroundings<long double> surroundings_cast(const Surroundings<double>&);
 
 }  // namespace cairn

@@ -73,8 +73,6 @@ class Constraint {
   virtual void write_rows(const Placements<float>& at, RowWriter<float>& rows) const = 0;
   /// The same in double.
   virtual void write_rows(const Placements<double>& at, RowWriter<double>& rows) const = 0;
-  /// The same in long double.
-  virtual void write_rows(const Placements<long double>& at, RowWriter<long double>& rows) const = 0;
   /// Appends them as they are stated, of bodies at rest.
   template <Scalar Real>
   void append_rows(const std::type_identity_t<Placements<Real>>& at, RowSpecs<Real>& rows) const {
@@ -94,9 +92,6 @@ class Constraint {
   /// The same in double.
   virtual void add_stiffness(const Placements<double>& at, const RowForces<double>& forces,
                              PerBody<Vec3<double>>& stiffness) const = 0;
-  /// The same in long double.
-  virtual void add_stiffness(const Placements<long double>& at, const RowForces<long double>& forces,
-                             PerBody<Vec3<long double>>& stiffness) const = 0;
 };
 
 /// Turns one member template of Derived,
@@ -115,19 +110,12 @@ class ConstraintOf : public Constraint {
   void write_rows(const Placements<double>& at, RowWriter<double>& rows) const override {
     derived().rows(at, rows);
   }
-  void write_rows(const Placements<long double>& at, RowWriter<long double>& rows) const override {
-    derived().rows(at, rows);
-  }
   void add_stiffness(const Placements<float>& at, const RowForces<float>& forces,
                      PerBody<Vec3<float>>& stiffness) const override {
     stiffen_if_stiff(at, forces, stiffness);
   }
   void add_stiffness(const Placements<double>& at, const RowForces<double>& forces,
                      PerBody<Vec3<double>>& stiffness) const override {
-    stiffen_if_stiff(at, forces, stiffness);
-  }
-  void add_stiffness(const Placements<long double>& at, const RowForces<long double>& forces,
-                     PerBody<Vec3<long double>>& stiffness) const override {
     stiffen_if_stiff(at, forces, stiffness);
   }
   /// @endcond

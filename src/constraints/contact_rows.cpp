@@ -175,13 +175,5 @@ template void add_contact_blocks(VelocityProblem<double>&, int&);
 template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&,
                                  List<RelaxedRow<double>>*);
 template void write_contact_rows(VelocityProblem<double>&, List<RelaxedRow<double>>*);
-template int contact_row_count(const Contact<long double>&, const VelocityProblem<long double>&);
-template std::uint64_t contact_part(const Manifold<long double>&, int, int);
-template void meet(Contact<long double>&, const PerBody<Vec3<long double>>&, long double,
-                   const VelocityProblem<long double>&);
-template void add_contact_blocks(VelocityProblem<long double>&, int&);
-template void write_contact_rows(const Contact<long double>&, VelocityProblem<long double>&, int&,
-                                 List<RelaxedRow<long double>>*);
-template void write_contact_rows(VelocityProblem<long double>&, List<RelaxedRow<long double>>*);
 
 }  // namespace cairn

@@ -28,7 +28,5 @@ template void add_contact_stiffness(const Contact<float>&, float, float, const R
                                     PerBody<Vec3<float>>&);
 template void add_contact_stiffness(const Contact<double>&, double, double, const RowForces<double>&,
                                     PerBody<Vec3<double>>&);
-template void add_contact_stiffness(const Contact<long double>&, long double, long double,
-                                    const RowForces<long double>&, PerBody<Vec3<long double>>&);
 
 }  // namespace cairn

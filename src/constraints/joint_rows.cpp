@@ -109,14 +109,10 @@ template void add_pin_stiffness(BodyId, BodyId, const JointArms<float>&, const V
                                 PerBody<Vec3<float>>&);
 template void add_pin_stiffness(BodyId, BodyId, const JointArms<double>&, const Vec2<double>&,
                                 PerBody<Vec3<double>>&);
-template void add_pin_stiffness(BodyId, BodyId, const JointArms<long double>&, const Vec2<long double>&,
-                                PerBody<Vec3<long double>>&);
 template void add_line_stiffness(BodyId, const Vec2<float>&, const Vec2<float>&, float, float,
                                  PerBody<Vec3<float>>&);
 template void add_line_stiffness(BodyId, const Vec2<double>&, const Vec2<double>&, double, double,
                                  PerBody<Vec3<double>>&);
-template void add_line_stiffness(BodyId, const Vec2<long double>&, const Vec2<long double>&, long double,
-                                 long double, PerBody<Vec3<long double>>&);
 template FixedList<RigidRow<float>, 2> pin_rows(BodyId, BodyId, const JointArms<float>&);
 template RigidRow<float> angle_row(BodyId, BodyId, float);
 template void add_limit_rows(const RigidRow<float>&, const JointLimits&, RowWriter<float>&);
@@ -125,9 +121,5 @@ template FixedList<RigidRow<double>, 2> pin_rows(BodyId, BodyId, const JointArms
 template RigidRow<double> angle_row(BodyId, BodyId, double);
 template void add_limit_rows(const RigidRow<double>&, const JointLimits&, RowWriter<double>&);
 template void add_motor_row(const RigidRow<double>&, double, double, RowWriter<double>&);
-template FixedList<RigidRow<long double>, 2> pin_rows(BodyId, BodyId, const JointArms<long double>&);
-template RigidRow<long double> angle_row(BodyId, BodyId, long double);
-template void add_limit_rows(const RigidRow<long double>&, const JointLimits&, RowWriter<long double>&);
-template void add_motor_row(const RigidRow<long double>&, double, double, RowWriter<long double>&);
 
 }  // namespace cairn

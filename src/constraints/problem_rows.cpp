@@ -199,6 +199,5 @@ Real ProblemRows<Real>::lost_on_arc(const RigidRow<Real>& row, Real jv) {
 
 template class ProblemRows<float>;
 template class ProblemRows<double>;
-template class ProblemRows<long double>;
 
 }  // namespace cairn

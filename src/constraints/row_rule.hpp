@@ -30,8 +30,6 @@ template <typename Real>
 [[gnu::always_inline]] inline float square_root(float x) { return __builtin_sqrtf(x); }
 /// std::sqrt.
 [[gnu::always_inline]] inline double square_root(double x) { return __builtin_sqrt(x); }
-/// std::sqrt.
-[[gnu::always_inline]] inline long double square_root(long double x) { return __builtin_sqrtl(x); }
 
 /// zeta (7) [m/s] of a row that only pushes:
 ///   with room left (C > 0)        -C / dt: it may use its room up, and no more

@@ -85,10 +85,5 @@ template double carried_inverse_mass(const RowSpec<double>&, const PerBody<Vec3<
 template double carried_inverse_mass(const RigidRow<double>&, const PerBody<Vec3<double>>&);
 template double spring_energy(const RowSpec<double>&, const PerBody<Vec3<double>>&);
 template void put_on_spring(const RowSpec<double>&, const BodyState<double>&, double, ConstraintRow<double>&);
-template long double carried_inverse_mass(const RowSpec<long double>&, const PerBody<Vec3<long double>>&);
-template long double carried_inverse_mass(const RigidRow<long double>&, const PerBody<Vec3<long double>>&);
-template double spring_energy(const RowSpec<long double>&, const PerBody<Vec3<long double>>&);
-template void put_on_spring(const RowSpec<long double>&, const BodyState<long double>&, long double,
-                            ConstraintRow<long double>&);
 
 }  // namespace cairn

@@ -71,7 +71,5 @@ template RowRule<float> joint_rule(const Stabilization&, StabilizationPass, floa
 template RowRule<float> contact_rule(const Stabilization&, StabilizationPass, float, double);
 template RowRule<double> joint_rule(const Stabilization&, StabilizationPass, double);
 template RowRule<double> contact_rule(const Stabilization&, StabilizationPass, double, double);
-template RowRule<long double> joint_rule(const Stabilization&, StabilizationPass, long double);
-template RowRule<long double> contact_rule(const Stabilization&, StabilizationPass, long double, double);
 
 }  // namespace cairn

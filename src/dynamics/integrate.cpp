@@ -42,11 +42,5 @@ template void apply_gravity(PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&
 template void apply_damping(PerBody<Vec3<double>>&, const PerBody<Vec3<double>>&, const PerBody<int>&,
                             const List<BodyForces<double>>&, double);
 template void integrate_positions(BodyState<double>&, double);
-template void apply_gravity(PerBody<Vec3<long double>>&, const PerBody<Vec3<long double>>&,
-                            const PerBody<int>&, const List<BodyForces<long double>>&,
-                            const Vec2<long double>&, long double);
-template void apply_damping(PerBody<Vec3<long double>>&, const PerBody<Vec3<long double>>&,
-                            const PerBody<int>&, const List<BodyForces<long double>>&, long double);
-template void integrate_positions(BodyState<long double>&, long double);
 
 }  // namespace cairn

@@ -71,7 +71,6 @@ ExtremeFinding judged(const std::string& quantity, double value, double limit, d
 template <typename Run>
 auto in_scalar(Precision scalar, const Run& run) {
   if (scalar == Precision::single_precision) return run(float());
-  if (scalar == Precision::long_double) return run(static_cast<long double>(0));
   return run(double());
 }
 

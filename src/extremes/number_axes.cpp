@@ -30,8 +30,7 @@ List<ExtremeCase> scalar_cases() {
   };
   List<ExtremeCase> cases;
   for (const Kind& kind :
-       {Kind{"float", Precision::single_precision}, Kind{"double", Precision::double_precision},
-        Kind{"long double", Precision::long_double}}) {
+       {Kind{"float", Precision::single_precision}, Kind{"double", Precision::double_precision}}) {
     for (ExtremeSetting tried : usual_settings()) {
       tried.setting.scalar = kind.scalar;
       tried.setting.sweeps.iterations = std::max(20, tried.setting.sweeps.iterations);

@@ -5,8 +5,6 @@
 
 #include "extremes/extreme_axes.hpp"
 #include "math/check.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
@@ -25,39 +23,16 @@ Scene far_stack(double x) {
   return scene;
 }
 
-/// [m] How far a body of the stack at x comes from its place, in the scalar that it is stepped in: a snapshot
-/// is in double, whose neighbours are farther apart than those of a long double.
-template <Scalar Real>
-double farthest_in_scalar(double x, const Setting& setting) {
-  Scene scene = far_stack(x);
-  scene.set_settings(with_setting(scene.settings(), setting));
-  World<Real> world(scene);
-  const auto solver = make_solver<Real>(setting.solver, setting.sweeps);
-  const PerBody<Pose<Real>> start = world.bodies().pose;
-  double farthest = 0;
-  for (int step = 0; step < static_cast<int>(std::lround(far_seconds / setting.dt)); ++step) {
-    world.step(*solver);
-    for (const BodyId body : start.indices()) {
-      const Vec2<Real> way = world.bodies().pose[body].position - start[body].position;
-      farthest = std::max(farthest, static_cast<double>(way.norm()));
-    }
-  }
-  return farthest;
-}
-
 /// The same as at the origin: how far the boxes sink depends on the policy, and not on where they are.
 ExtremeFinding as_at_the_origin(double x, const Setting& setting) {
-  const auto farthest = [&](double at) {
-    return in_scalar(setting.scalar,
-                     [&](auto real) { return farthest_in_scalar<decltype(real)>(at, setting); });
-  };
-  const double beside = std::abs(farthest(x) - farthest(0));
-  return run_extreme(far_stack(x), setting,
-                     {.seconds = far_seconds,
-                      .quantity = "beside the origin (m)",
-                      .limit = usual_slop,
-                      .measure = [beside](const TrialResult&) { return beside; },
-                      .floor = x - 0.5});
+  const double at_origin = run_trial(far_stack(0), setting, {.seconds = far_seconds}).farthest;
+  return run_extreme(
+      far_stack(x), setting,
+      {.seconds = far_seconds,
+       .quantity = "beside the origin (m)",
+       .limit = usual_slop,
+       .measure = [at_origin](const TrialResult& r) { return std::abs(r.farthest - at_origin); },
+       .floor = x - 0.5});
 }
 
 struct Distance {
@@ -66,8 +41,7 @@ struct Distance {
 };
 
 std::string scalar_text(Precision scalar) {
-  if (scalar == Precision::single_precision) return "float";
-  return scalar == Precision::double_precision ? "double" : "long double";
+  return scalar == Precision::single_precision ? "float" : "double";
 }
 
 /// [m] between neighbouring numbers at x.
@@ -93,7 +67,6 @@ List<Distance> distances() {
     all.push_back({Precision::single_precision, x});
   for (const double x : {0.0, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e13, 1e14, 1e17})
     all.push_back({Precision::double_precision, x});
-  for (const double x : {0.0, 1e14, 1e15}) all.push_back({Precision::long_double, x});
   return all;
 }
 

@@ -66,10 +66,8 @@ Real bounding_radius(const Shape<Real>& shape) {
 
 template Aabb<float> bounding_box(const Shape<float>&, const Frame<float>&, float);
 template Aabb<double> bounding_box(const Shape<double>&, const Frame<double>&, double);
-template Aabb<long double> bounding_box(const Shape<long double>&, const Frame<long double>&, long double);
 
 template float bounding_radius(const Shape<float>&);
 template double bounding_radius(const Shape<double>&);
-template long double bounding_radius(const Shape<long double>&);
 
 }  // namespace cairn

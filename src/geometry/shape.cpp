@@ -88,13 +88,11 @@ void require_convex(const List<Vec2<double>>& points, const List<int>& order) {
 /// @throws std::invalid_argument where an edge has no length, because the polygon was moved too far away.
 template <Scalar Real>
 void set_normals(const Polygon<double>& source, Polygon<Real>& target) {
-  using Work = std::conditional_t<std::is_same_v<Real, long double>, long double, double>;
   const int count = source.vertices.size();
   for (int i = 0; i < count; ++i) {
     const int next = (i + 1) % count;
-    const Vec2<Work> start = source.vertices[i].cast<Work>();
-    const Vec2<Work> edge = source.vertices[next].cast<Work>() - start;
-    const Work length = hypotenuse(edge.x(), edge.y());
+    const Vec2<double> edge = source.vertices[next] - source.vertices[i];
+    const double length = hypotenuse(edge.x(), edge.y());
     require(length > 0, "polygon", fmt::format("vertices[{}]", i), "another point than the next, as rounded",
             text(source.vertices[i]));
     target.normals[i] = {static_cast<Real>(edge.y() / length), static_cast<Real>(-edge.x() / length)};
@@ -241,6 +239,5 @@ std::string shape_name(const Shape<double>& shape) {
 
 template Shape<float> shape_cast<float>(const Shape<double>&);
 template Shape<double> shape_cast<double>(const Shape<double>&);
-template Shape<long double> shape_cast<long double>(const Shape<double>&);
 
 }  // namespace cairn

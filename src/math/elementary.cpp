@@ -150,8 +150,6 @@ CosineAndSine<float> cosine_and_sine(float angle) {
   return {static_cast<float>(wide.cosine), static_cast<float>(wide.sine)};
 }
 
-CosineAndSine<long double> cosine_and_sine(long double angle) { return {std::cos(angle), std::sin(angle)}; }
-
 double tangent(double angle) {
   const CosineAndSine<double> both = cosine_and_sine(angle);
   return both.sine / both.cosine;
@@ -185,7 +183,5 @@ float hypotenuse(float x, float y) {
   const auto wide_x = static_cast<double>(x), wide_y = static_cast<double>(y);
   return static_cast<float>(std::sqrt(wide_x * wide_x + wide_y * wide_y));
 }
-
-long double hypotenuse(long double x, long double y) { return std::hypot(x, y); }
 
 }  // namespace cairn

@@ -20,8 +20,6 @@ struct CosineAndSine {
 CosineAndSine<double> cosine_and_sine(double angle);
 /// As for double, rounded.
 CosineAndSine<float> cosine_and_sine(float angle);
-/// The C library's: long double has as many bits as the compiler likes.
-CosineAndSine<long double> cosine_and_sine(long double angle);
 
 /// The sine of an angle [rad], as cosine_and_sine() has it.
 inline double sine(double angle) { return cosine_and_sine(angle).sine; }
@@ -44,7 +42,5 @@ double arc_cosine(double cosine);
 double hypotenuse(double x, double y);
 /// As for double, rounded.
 float hypotenuse(float x, float y);
-/// The C library's.
-long double hypotenuse(long double x, long double y);
 
 }  // namespace cairn

@@ -9,7 +9,8 @@
 
 namespace cairn {
 
-/// The number types Cairn computes in: float, double and long double.
+/// The number types Cairn computes in. Worlds are float and double; problems are long double too, where they
+/// are solved exactly.
 template <typename T>
 concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, long double>;
 

@@ -22,12 +22,6 @@ void Fingerprint::add(double number) {
   add(std::string_view(bytes));
 }
 
-void Fingerprint::add(long double number) {
-  const auto head = static_cast<double>(number);
-  add(head);
-  add(static_cast<double>(number - static_cast<long double>(head)));
-}
-
 std::uint64_t fingerprint_of(const Snapshot& snapshot) {
   Fingerprint fingerprint;
   fingerprint.add(snapshot.time);

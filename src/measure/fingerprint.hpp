@@ -19,8 +19,6 @@ class Fingerprint {
   void add(double number);
   /// As a double, which holds every float.
   void add(float number) { add(static_cast<double>(number)); }
-  /// As two doubles: a long double has bytes without a meaning.
-  void add(long double number);
   /// The numbers of an Eigen vector, one after the other.
   template <typename Vector>
   requires requires(const Vector& v) {

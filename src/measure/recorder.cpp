@@ -50,6 +50,5 @@ void SweepRecorder<Real>::after_sweep(int sweep, const VelocityProblem<Real>& pr
 
 template class SweepRecorder<float>;
 template class SweepRecorder<double>;
-template class SweepRecorder<long double>;
 
 }  // namespace cairn

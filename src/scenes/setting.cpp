@@ -36,8 +36,7 @@ std::string sweeps_text(const SolverSettings& sweeps) {
 }
 
 std::string precision_text(Precision scalar) {
-  if (scalar == Precision::single_precision) return "float";
-  return scalar == Precision::double_precision ? "double" : "long double";
+  return scalar == Precision::single_precision ? "float" : "double";
 }
 
 /// What differs from the usual spring.
@@ -51,7 +50,7 @@ std::string spring_text(const SwingSoftness& spring, const SwingSoftness& usual)
 }  // namespace
 
 const List<std::string>& precision_words() {
-  static const List<std::string> words = {"float", "double", "long-double"};
+  static const List<std::string> words = {"float", "double"};
   return words;
 }
 
@@ -113,15 +112,8 @@ std::string setting_text(const Setting& setting) {
 std::string solver_refusal(const Setting& setting) {
   if (setting.solver == "box2d" && !has_box2d()) return "one of Cairn's own where it was built without Box2D";
   if (setting.solver != opencl_jacobi_entry().name) return "";
-  switch (setting.scalar) {
-    case Precision::single_precision:
-      return opencl_jacobi_refusal<float>();
-    case Precision::double_precision:
-      return opencl_jacobi_refusal<double>();
-    case Precision::long_double:
-      return opencl_jacobi_refusal<long double>();
-  }
-  return "";
+  return setting.scalar == Precision::single_precision ? opencl_jacobi_refusal<float>()
+                                                       : opencl_jacobi_refusal<double>();
 }
 
 void check(const Setting& setting) {

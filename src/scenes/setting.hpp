@@ -11,7 +11,7 @@
 namespace cairn {
 
 /// What a world computes in.
-enum class Precision { single_precision, double_precision, long_double };
+enum class Precision { single_precision, double_precision };
 
 /// What scene files, flags and the playground call them, in the order of the enumeration.
 const List<std::string>& precision_words();

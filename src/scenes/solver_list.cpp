@@ -58,9 +58,10 @@ std::unique_ptr<Solver<Real>> opencl_jacobi([[maybe_unused]] const SolverSetting
   const std::string refusal = opencl_jacobi_refusal<Real>();
   require(refusal.empty(), "make_solver", "solver", refusal, opencl_jacobi_entry().name);
 #ifdef CAIRN_HAVE_OPENCL
-  if constexpr (!std::same_as<Real, long double>) return std::make_unique<OpenClJacobi<Real>>(settings);
-#endif
+  return std::make_unique<OpenClJacobi<Real>>(settings);
+#else
   return nullptr;  // refused above
+#endif
 }
 
 template <Scalar Real>
@@ -175,14 +176,10 @@ const SolverEntry& box2d_entry() {
 template <Scalar Real>
 std::string opencl_jacobi_refusal() {
 #ifdef CAIRN_HAVE_OPENCL
-  if constexpr (std::same_as<Real, long double>) {
-    return "another in long double, which no OpenCL device has";
-  } else {
-    if (has_opencl_device<Real>()) return "";
-    const std::string known = std::same_as<Real, double> ? " that has double" : "";
-    return "another where there is no OpenCL device" + known +
-           " (a driver makes the processor one: pocl-opencl-icd)";
-  }
+  if (has_opencl_device<Real>()) return "";
+  const std::string known = std::same_as<Real, double> ? " that has double" : "";
+  return "another where there is no OpenCL device" + known +
+         " (a driver makes the processor one: pocl-opencl-icd)";
 #else
   return "another where Cairn was built without OpenCL (install ocl-icd-opencl-dev, opencl-clhpp-headers and "
          "pocl-opencl-icd, then build again)";
@@ -211,9 +208,7 @@ std::unique_ptr<Solver<Real>> make_solver(const std::string& name, const SolverS
 
 template std::string opencl_jacobi_refusal<float>();
 template std::string opencl_jacobi_refusal<double>();
-template std::string opencl_jacobi_refusal<long double>();
 template std::unique_ptr<Solver<float>> make_solver(const std::string&, const SolverSettings&);
 template std::unique_ptr<Solver<double>> make_solver(const std::string&, const SolverSettings&);
-template std::unique_ptr<Solver<long double>> make_solver(const std::string&, const SolverSettings&);
 
 }  // namespace cairn

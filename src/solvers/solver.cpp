@@ -33,6 +33,5 @@ void check_blocks(const VelocityProblem<Real>& problem, std::string_view solver)
 
 template void check_blocks(const VelocityProblem<float>&, std::string_view);
 template void check_blocks(const VelocityProblem<double>&, std::string_view);
-template void check_blocks(const VelocityProblem<long double>&, std::string_view);
 
 }  // namespace cairn

@@ -124,14 +124,8 @@ std::unique_ptr<Contestant> make_contestant(const Scene& scene, const Setting& s
 #ifdef CAIRN_HAVE_BOX2D
   if (setting.solver == "box2d") return std::make_unique<Box2DContestant>(prepared, setting);
 #endif
-  switch (setting.scalar) {
-    case Precision::single_precision:
-      return std::make_unique<WorldContestant<float>>(prepared, setting);
-    case Precision::long_double:
-      return std::make_unique<WorldContestant<long double>>(prepared, setting);
-    case Precision::double_precision:
-      break;
-  }
+  if (setting.scalar == Precision::single_precision)
+    return std::make_unique<WorldContestant<float>>(prepared, setting);
   return std::make_unique<WorldContestant<double>>(prepared, setting);
 }
 

@@ -99,15 +99,8 @@ SolveOutcome try_solver(const VelocityProblem<double>& problem, const SolveChoic
   VelocityProblem<double> start = problem;
   if (choice.start == Start::cold) std::fill(start.impulse.begin(), start.impulse.end(), 0.0);
   try {
-    switch (choice.scalar) {
-      case Precision::single_precision:
-        return outcome_in<float>(start, choice, truth, timing);
-      case Precision::double_precision:
-        return outcome_in<double>(start, choice, truth, timing);
-      case Precision::long_double:
-        break;
-    }
-    return outcome_in<long double>(start, choice, truth, timing);
+    return choice.scalar == Precision::single_precision ? outcome_in<float>(start, choice, truth, timing)
+                                                        : outcome_in<double>(start, choice, truth, timing);
   } catch (const std::length_error& error) {
     SolveOutcome refused;
     refused.status = "refused";

@@ -65,9 +65,7 @@ std::string uniqueness_word(Uniqueness unique) {
 std::string start_word(Start start) { return start == Start::warm ? "warm" : "cold"; }
 
 std::string scalar_word(Precision scalar) {
-  return scalar == Precision::single_precision   ? "float"
-         : scalar == Precision::double_precision ? "double"
-                                                 : "long double";
+  return scalar == Precision::single_precision ? "float" : "double";
 }
 
 void set_error(TradeRow& row, const AnswerError<double>& error) {

@@ -69,8 +69,7 @@ ValidationResult dragged_rod(const EngineMaker&) {
                      .tolerance = 64 * double_epsilon * (1 + k),
                      .reason = "64 roundings a sweep of velocities of 1 m/s"},
                     dragged_rod_number<float>("float"),
-                    dragged_rod_number<double>("double"),
-                    dragged_rod_number<long double>("long double")};
+                    dragged_rod_number<double>("double")};
   return result;
 }
 

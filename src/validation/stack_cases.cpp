@@ -128,8 +128,7 @@ ValidationResult two_boxes_sweep_by_sweep(const EngineMaker&) {
                      .tolerance = tolerance,
                      .reason = reason},
                     rounding_of_two_boxes<float>("float"),
-                    rounding_of_two_boxes<double>("double"),
-                    rounding_of_two_boxes<long double>("long double")};
+                    rounding_of_two_boxes<double>("double")};
   return result;
 }
 

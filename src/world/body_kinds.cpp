@@ -19,6 +19,5 @@ void BodyKinds<Real>::add(const BodyForces<Real>& forces, const BodyTraits<Real>
 
 template class BodyKinds<float>;
 template class BodyKinds<double>;
-template class BodyKinds<long double>;
 
 }  // namespace cairn

@@ -121,6 +121,5 @@ List<Collider<Real>> make_colliders(const Scene& scene) {
 
 template List<Collider<float>> make_colliders(const Scene&);
 template List<Collider<double>> make_colliders(const Scene&);
-template List<Collider<long double>> make_colliders(const Scene&);
 
 }  // namespace cairn

@@ -133,6 +133,5 @@ ContactSlot<Real> ContactCache<Real>::make_slot(const Substep<Real>& step, int c
 
 template class ContactCache<float>;
 template class ContactCache<double>;
-template class ContactCache<long double>;
 
 }  // namespace cairn

@@ -242,6 +242,5 @@ void ContactFinder<Real>::meet(NearSlot& near) {
 
 template class ContactFinder<float>;
 template class ContactFinder<double>;
-template class ContactFinder<long double>;
 
 }  // namespace cairn

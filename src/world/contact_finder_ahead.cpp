@@ -193,6 +193,5 @@ void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Rea
 
 template class ContactFinder<float>;
 template class ContactFinder<double>;
-template class ContactFinder<long double>;
 
 }  // namespace cairn

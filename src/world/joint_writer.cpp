@@ -112,6 +112,5 @@ void JointWriter<Real>::carry_over(const JointWriter& before, const Scene& then,
 
 template class JointWriter<float>;
 template class JointWriter<double>;
-template class JointWriter<long double>;
 
 }  // namespace cairn

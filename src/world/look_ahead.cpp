@@ -96,6 +96,5 @@ Real LookAhead<Real>::travel(const Collider<Real>& a, const Collider<Real>& b, c
 
 template class LookAhead<float>;
 template class LookAhead<double>;
-template class LookAhead<long double>;
 
 }  // namespace cairn

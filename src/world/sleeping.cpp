@@ -239,6 +239,5 @@ void SleepState<Real>::put_to_sleep(PerBody<Vec3<Real>>& velocity) {
 
 template class SleepState<float>;
 template class SleepState<double>;
-template class SleepState<long double>;
 
 }  // namespace cairn

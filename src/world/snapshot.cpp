@@ -119,6 +119,5 @@ Snapshot snapshot(const World<Real>& world) {
 
 template Snapshot snapshot(const World<float>&);
 template Snapshot snapshot(const World<double>&);
-template Snapshot snapshot(const World<long double>&);
 
 }  // namespace cairn

@@ -13,6 +13,5 @@ StepRecord<Real> with_rows(const World<Real>& world) {
 
 template StepRecord<float> with_rows(const World<float>&);
 template StepRecord<double> with_rows(const World<double>&);
-template StepRecord<long double> with_rows(const World<long double>&);
 
 }  // namespace cairn

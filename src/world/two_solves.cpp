@@ -172,6 +172,5 @@ void TwoSolves<Real>::correct_positions(const Parts& parts, Solver<Real>& solver
 
 template class TwoSolves<float>;
 template class TwoSolves<double>;
-template class TwoSolves<long double>;
 
 }  // namespace cairn

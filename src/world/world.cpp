@@ -146,6 +146,5 @@ Substep<Real> World<Real>::now_asleep() {
 
 template class World<float>;
 template class World<double>;
-template class World<long double>;
 
 }  // namespace cairn

@@ -35,6 +35,8 @@ namespace cairn {
 /// std::logic_error there.
 template <Scalar Real = double>
 class World {
+  static_assert(!std::same_as<Real, long double>, "World: Real must be float or double");
+
  public:
   /// Begins where the scene's bodies stand, at time 0, before its events.
   /// @throws std::invalid_argument for a body that Real has no number for, or which stands so far from the

@@ -160,10 +160,8 @@ void World<Real>::move_hand(const HandInput& input) {
 
 template bool do_events(World<float>&);
 template bool do_events(World<double>&);
-template bool do_events(World<long double>&);
 
 template class World<float>;
 template class World<double>;
-template class World<long double>;
 
 }  // namespace cairn

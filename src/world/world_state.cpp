@@ -139,6 +139,5 @@ void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
 
 template class World<float>;
 template class World<double>;
-template class World<long double>;
 
 }  // namespace cairn

@@ -81,8 +81,7 @@ Real largest_speed_gap(const VelocityProblem<Real>& one, const VelocityProblem<R
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a constraint that is asked twice says the same, to the last bit", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("a constraint that is asked twice says the same, to the last bit", Real, float, double) {
   test::Random random(21);
   const PerBody<Pose<double>> start = random_poses(random);
   for (const ConstraintUnderTest<Real>& constraint : all_constraints<Real>(start, random)) {
@@ -100,7 +99,7 @@ TEST_CASE_TEMPLATE("a constraint that is asked twice says the same, to the last 
 }
 
 TEST_CASE_TEMPLATE("the rows of a constraint have names that differ, and keep them while bodies move", Real,
-                   float, double, long double) {
+                   float, double) {
   test::Random random(22);
   const PerBody<Pose<double>> start = random_poses(random);
   for (const ConstraintUnderTest<Real>& constraint : all_constraints<Real>(start, random)) {
@@ -118,7 +117,7 @@ TEST_CASE_TEMPLATE("the rows of a constraint have names that differ, and keep th
 }
 
 TEST_CASE_TEMPLATE("where bodies lie in one place, every row has a direction and no row is not a number",
-                   Real, float, double, long double) {
+                   Real, float, double) {
   test::Random random(23);
   const PerBody<Pose<double>> start = random_poses(random);
   for (const ConstraintUnderTest<Real>& constraint : all_constraints<Real>(start, random)) {
@@ -131,8 +130,7 @@ TEST_CASE_TEMPLATE("where bodies lie in one place, every row has a direction and
   }
 }
 
-TEST_CASE_TEMPLATE("a rod, a rope and a spring whose ends have met write no row", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("a rod, a rope and a spring whose ends have met write no row", Real, float, double) {
   const PerBody<Pose<double>> start = {{}, {{0, 0}, 0}, {{2, 0}, 0}};
   using Kind = DistanceJoint::Kind;
   for (const Kind kind : {Kind::rod, Kind::rope, Kind::spring}) {
@@ -145,8 +143,7 @@ TEST_CASE_TEMPLATE("a rod, a rope and a spring whose ends have met write no row"
   }
 }
 
-TEST_CASE_TEMPLATE("every solver gives the bodies of a constraint the same velocities", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("every solver gives the bodies of a constraint the same velocities", Real, float, double) {
   test::Random random(24);
   for (int round = 0; round < 2; ++round) {
     const PerBody<Pose<double>> start = random_poses(random);

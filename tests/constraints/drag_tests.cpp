@@ -90,7 +90,7 @@ TEST_CASE("a drag off the middle turns its body, holds it against gravity, and n
 }
 
 TEST_CASE_TEMPLATE("a body hangs below the target of a drag by as much as its spring gives way", Real, float,
-                   double, long double) {
+                   double) {
   Scene scene;
   const BodyId body = scene.add(disc({0, 0}, 3));
   scene.join<DragJoint>({.body = body});

@@ -60,7 +60,7 @@ TEST_CASE("an angular limit carries the moment m g l of a level arm") {
 }
 
 TEST_CASE_TEMPLATE("a load falls freely until its limit, and stops there without passing it", Real, float,
-                   double, long double) {
+                   double) {
   const double drop = 1;
   World<Real> world(lift({.lower = -drop}));
   const Real tolerance = 64 * std::numeric_limits<Real>::epsilon();  // [m]
@@ -109,7 +109,7 @@ TEST_CASE("two limits at one place hold a coordinate from both sides") {
 }
 
 TEST_CASE_TEMPLATE("a motor turns a wheel up by max_torque / I, and then holds its speed", Real, float,
-                   double, long double) {
+                   double) {
   const Real torque = Real(1.5), dt = static_cast<Real>(joint_dt);
   const Real acceleration = torque / static_cast<Real>(load_inertia);  // 3 rad/s^2: 2 rad/s in 2/3 s
   for (const double speed : {2.0, -2.0}) {

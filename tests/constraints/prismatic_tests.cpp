@@ -37,7 +37,7 @@ TEST_CASE("a slide has no error anywhere on its line, which turns with its first
 
 TEST_CASE_TEMPLATE(
     "a body on a slope without friction gains g sin(angle) dt in every step and stays on its line", Real,
-    float, double, long double) {
+    float, double) {
   const double slope = 0.5, mass = 3;
   Scene scene;
   const Vec2<double> axis(std::cos(slope), std::sin(slope));

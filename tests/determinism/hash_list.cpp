@@ -32,7 +32,6 @@ struct HashedScalar {
   const char* name = "";
   Precision precision = Precision::double_precision;
 };
-// A long double has as many bits as the compiler likes.
 constexpr FixedList<HashedScalar, 2> hashed_scalars = {
     {{"float", Precision::single_precision}, {"double", Precision::double_precision}}};
 

@@ -8,7 +8,7 @@
 using namespace cairn;
 
 TEST_CASE_TEMPLATE("a placement has the cosine and the sine of its angle, kept or not, wherever bodies turn",
-                   Real, float, double, long double) {
+                   Real, float, double) {
   PerBody<Pose<Real>> poses(3);
   PerBody<KnownRotation<Real>> known;
   const auto same_bits = [](Real one, Real other) {

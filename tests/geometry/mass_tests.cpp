@@ -27,7 +27,8 @@ Integral integrate(const Shape<double>& shape) {
   const test::Core core = test::core(shape, Pose<double>{});
   List<Vec2<long double>> boundary;
   for (int i = 0; i < directions; ++i) {
-    const Rotation<long double> turn(2 * std::numbers::pi_v<long double> * i / directions);
+    const Rotation<long double> turn =
+        test::exact_rotation(2 * std::numbers::pi_v<long double> * i / directions);
     const Vec2<long double> out = {turn.c, turn.s};
     boundary.emplace_back(test::farthest_corner(core, out) + core.radius * out);
   }

@@ -1,6 +1,7 @@
 // Random shapes with a fixed seed, and the corners of a shape's core, for tests that try many of them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 
@@ -54,11 +55,16 @@ struct Core {
   long double radius = 0;           // [m]
 };
 
+/// By the C library, in long double.
+inline Rotation<long double> exact_rotation(long double angle) {
+  return Rotation<long double>(CosineAndSine<long double>{std::cos(angle), std::sin(angle)});
+}
+
 /// At a pose, in long double whatever the scalar, so that only the rounding of the input is shared.
 template <Scalar Real>
 Core core(const Shape<Real>& shape, const Pose<Real>& pose) {
   Core result;
-  const Rotation<long double> rotation(pose.angle);
+  const Rotation<long double> rotation = exact_rotation(pose.angle);
   const auto add = [&](const Vec2<Real>& local) {
     const Vec2<long double> position = pose.position.template cast<long double>();
     result.corners.push_back(position + rotation * local.template cast<long double>());

@@ -136,14 +136,6 @@ TEST_CASE("a box has its normals exactly along the axes, in every scalar") {
   CHECK(shape.normals[3] == Vec2<float>(-1, 0));
 }
 
-TEST_CASE("a cast to long double has normals of that precision") {
-  const Shape<double> tilted = moved(box(1, 0.3), {5, 7}, 0.1);
-  const Polygon<long double> shape = std::get<Polygon<long double>>(shape_cast<long double>(tilted));
-  const Vec2<long double> edge = shape.vertices[1] - shape.vertices[0];
-  // The normal is perpendicular to the edge of length 1 up to the rounding of two products.
-  CHECK(std::abs(shape.normals[0].dot(edge)) <= 2 * std::numeric_limits<long double>::epsilon());
-}
-
 TEST_CASE("a shape is turned about the origin first and moved then") {
   const Circle<double> round = std::get<Circle<double>>(moved(circle(0.5, {1, 0}), {10, 20}, pi / 2));
   // cos(pi / 2) is 6e-17 in double; 20 + 1 is exact.

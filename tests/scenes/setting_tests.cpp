@@ -20,9 +20,8 @@ TEST_CASE("a setting is written as the things that differ from the usual") {
                       .warm_start = false}) ==
         "accelerated x500 to 1e-06 coloured, 240 Hz, split impulse 0.1, float, cold");
   CHECK(setting_text({.sweeps = {.relaxation = 1.3, .patience = 3},
-                      .scalar = Precision::long_double,
                       .stabilization = {.policy = StabilizationPolicy::none, .slop = 0}}) ==
-        "si x10 omega 1.3 patience 3, 60 Hz, none, long double");
+        "si x10 omega 1.3 patience 3, 60 Hz, none, double");
   CHECK(setting_text({.stabilization = {.policy = StabilizationPolicy::soft,
                                         .slop = 0.001,
                                         .max_speed = 3,

@@ -58,7 +58,7 @@ VelocityProblem<Real> rope_and_floor() {
 }  // namespace
 
 TEST_CASE_TEMPLATE("a rope on 2, 3 or 4 bodies pulls with sum r_i g / sum r_i^2 / m_i, in every solver", Real,
-                   float, double, long double) {
+                   float, double) {
   struct Case {
     List<Real> parts;
     List<Real> masses;
@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("a rope on 2, 3 or 4 bodies pulls with sum r_i g / sum r_i^2 
 }
 
 TEST_CASE_TEMPLATE("rows that share a third body couple, and all solvers give the same sweeps", Real, float,
-                   double, long double) {
+                   double) {
   const VelocityProblem<Real> start = rope_and_floor<Real>();
   for (const int sweeps : {1, 2, 5, 50}) {
     VelocityProblem<Real> expected = start;

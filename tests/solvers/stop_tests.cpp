@@ -58,7 +58,7 @@ TEST_CASE("a solver says that its sweeps are done, or that the tolerance is reac
 }
 
 TEST_CASE_TEMPLATE("a solver stops where only rounding is left, and its answer is right to rounding", Real,
-                   float, double, long double) {
+                   float, double) {
   const Real epsilon = std::numeric_limits<Real>::epsilon();
   const int boxes = 8;
   for (const SolverMaker<Real>& make : stopping_solvers<Real>()) {
@@ -124,7 +124,7 @@ TEST_CASE("rows that contradict each other drift for ever, and that is seen as a
 }
 
 TEST_CASE_TEMPLATE("friction above A_nn / A_nt = 4/3 makes one contact go in circles, and the solver says so",
-                   Real, float, double, long double) {
+                   Real, float, double) {
   for (const SolverMaker<Real>& make : stopping_solvers<Real>()) {
     for (const RowOrder order : {RowOrder::as_written, RowOrder::alternating}) {
       // Above it, the friction of the first sweep lifts the end off by itself: the normal impulse goes to 0

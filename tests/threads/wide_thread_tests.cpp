@@ -93,12 +93,9 @@ void check_same_bits(const VelocityProblem<Real>& start, const SolverSettings& s
 }  // namespace
 
 TEST_CASE_TEMPLATE("any number of threads gives the bits of one, with momentum and without", Real, float,
-                   double, long double) {
+                   double) {
   List<VelocityProblem<double>> starts = {lane_chains(900)};
-  if (!small_problems_only &&
-      !std::same_as<Real, long double>) {  // lanes of double, two at a time: it takes long
-    starts.push_back(problem_of(many_towers(900)));
-  }
+  if (!small_problems_only) starts.push_back(problem_of(many_towers(900)));
   for (const VelocityProblem<double>& start : starts) {
     REQUIRE(colours_to_share(start) >= 3);
     for (const Momentum momentum : {Momentum::none, Momentum::nesterov}) {

@@ -120,7 +120,7 @@ TEST_CASE_TEMPLATE("PGS and SI give the same impulses with friction too", Real, 
 }
 
 TEST_CASE_TEMPLATE("PGS and SI give the same impulses for boxes, pins and rods in a world", Real, float,
-                   double, long double) {
+                   double) {
   const VelocityProblem<Real> problem = problem_of_a_scene<Real>();
   CHECK(problem.row_count() >= 4 + 4 * 2);  // four of the joints, and friction behind every normal row
   check_agreement(problem);

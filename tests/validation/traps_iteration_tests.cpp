@@ -53,7 +53,7 @@ double order_of_cost(const Vec3<double>& push, int expected) {
 // The middle box is pressed from both sides: from below by this sweep's impulse, from above by the last
 // one's.
 TEST_CASE_TEMPLATE("three boxes approach (3, 2, 1) g dt from (1, 1/2, 1/4) g dt by 3/4 a sweep, exactly",
-                   Real, float, double, long double) {
+                   Real, float, double) {
   const int sweeps = 60;
   for (const SolverMaker<Real>& make : all_solvers<Real>()) {
     VelocityProblem<Real> upwards = stack<Real>(3), downwards = stack<Real>(3);
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("three boxes approach (3, 2, 1) g dt from (1, 1/2, 1/4) g dt 
 }
 
 TEST_CASE_TEMPLATE("the limit of friction is mu times the normal impulse of this sweep, not of the last step",
-                   Real, float, double, long double) {
+                   Real, float, double) {
   const Real mu = Real(0.5);
   for (const SolverMaker<Real>& make : all_solvers<Real>()) {
     for (const Real warm : {Real(0), Real(1)}) {  // what the last step's normal impulse was

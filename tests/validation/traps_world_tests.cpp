@@ -59,7 +59,7 @@ double pressed_box_speed(RowOrder order) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("the friction rows of one manifold are one row written twice, but for rounding", Real,
-                   float, double, long double) {
+                   float, double) {
   test::Random random(41);
   int pairs = 0;
   for (int round = 0; round < 200; ++round) {

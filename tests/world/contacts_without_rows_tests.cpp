@@ -45,8 +45,7 @@ List<Scene> walls() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("contacts without rows are solved to the bits of their rows", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("contacts without rows are solved to the bits of their rows", Real, float, double) {
   for (const Scene& scene : walls()) {
     check_steps<Real>(scene, {.iterations = 4}, Momentum::none, widest_lane_set());
     check_steps<Real>(scene, {.iterations = 4}, Momentum::none, LaneSet::baseline);
@@ -54,7 +53,7 @@ TEST_CASE_TEMPLATE("contacts without rows are solved to the bits of their rows",
   check_steps<Real>(leaning_wall({}), {.iterations = 4}, Momentum::nesterov, widest_lane_set());
 }
 
-TEST_CASE_TEMPLATE("a tolerance is judged alike with rows and without", Real, float, double, long double) {
+TEST_CASE_TEMPLATE("a tolerance is judged alike with rows and without", Real, float, double) {
   const SolverSettings settings = {.iterations = 60, .tolerance = 0.02};
   for (const Scene& scene : walls()) {
     check_steps<Real>(scene, settings, Momentum::none, widest_lane_set());

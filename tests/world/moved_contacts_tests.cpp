@@ -53,8 +53,7 @@ void check_same_steps(const Scene& scene, int steps, const Change& change) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("contacts of manifolds that move have the bits of their rows", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("contacts of manifolds that move have the bits of their rows", Real, float, double) {
   const auto nothing = [](World<Real>&) {};
   for (const ContactSearch search : {ContactSearch::every_step, ContactSearch::when_moved}) {
     check_same_steps<Real>(pyramid_and_disc(in_substeps(4, search)), 25, nothing);

@@ -140,7 +140,7 @@ TEST_CASE("seams stay smooth where tiles overlap, leave a gap of 0.1 mm, or diff
 
 TEST_CASE_TEMPLATE(
     "seams that are level but for roundings carry in every scalar, however long the pieces are", Real, float,
-    double, long double) {
+    double) {
   // Angles from far below to just above what counts as one direction; a point in a body's frame is as exact.
   for (const double off : {0.0, 1e-16, 1e-12, 1e-8, 1e-7, 2e-6}) {
     for (const Making making : {Making::segments, Making::chain}) {

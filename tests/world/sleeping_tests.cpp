@@ -54,7 +54,7 @@ std::string sleeping_refusal(const Sleeping& sleeping) {
 
 TEST_CASE_TEMPLATE(
     "a stack of five falls asleep half a second after it has come to its place, and costs no rows then", Real,
-    float, double, long double) {
+    float, double) {
   World<Real> world(stack_scene());
   World<Real> awake(stack_scene({}));
   SequentialImpulse<Real> solver({.iterations = 50});

@@ -59,7 +59,7 @@ double speed_after_touch(SceneSettings settings, double threshold) {
 
 TEST_CASE_TEMPLATE(
     "an island that is woken goes on as one that was only stopped: the same bits, impulses too", Real, float,
-    double, long double) {
+    double) {
   for (const StabilizationPolicy policy : {StabilizationPolicy::baumgarte, StabilizationPolicy::relaxed,
                                            StabilizationPolicy::soft, StabilizationPolicy::split_impulse}) {
     const SceneSettings on{.substeps = 2, .stabilization = {.policy = policy}, .sleeping = usual_sleeping};

@@ -5,8 +5,7 @@
 
 namespace cairn {
 
-template <Scalar Real>
-void BlockFactors<Real>::begin(int bodies, const List<std::pair<int, int>>& pairs) {
+void BlockFactors::begin(int bodies, const List<std::pair<int, int>>& pairs) {
   is_factorized_ = false;
   if (!elimination_.begin(bodies, pairs)) return;
   upper_.resize(elimination_.pairs());
@@ -15,8 +14,7 @@ void BlockFactors<Real>::begin(int bodies, const List<std::pair<int, int>>& pair
   pair_at_.resize(bodies);
 }
 
-template <Scalar Real>
-void BlockFactors<Real>::set_identity(bool is_symmetric) {
+void BlockFactors::set_identity(bool is_symmetric) {
   is_symmetric_ = is_symmetric;
   is_factorized_ = false;
   for (Block& block : upper_) block.setZero();
@@ -24,8 +22,7 @@ void BlockFactors<Real>::set_identity(bool is_symmetric) {
   for (Block& block : diagonal_) block.setIdentity();
 }
 
-template <Scalar Real>
-void BlockFactors<Real>::add(int row_body, int column_body, const Block& more) {
+void BlockFactors::add(int row_body, int column_body, const Block& more) {
   const int row = elimination_.place(row_body), column = elimination_.place(column_body);
   if (row == column) {
     diagonal_[row] += more;
@@ -36,8 +33,7 @@ void BlockFactors<Real>::add(int row_body, int column_body, const Block& more) {
   }
 }
 
-template <Scalar Real>
-void BlockFactors<Real>::factorize() {
+void BlockFactors::factorize() {
   for (int place = 0; place < elimination_.bodies(); ++place) {
     take_out(place);
     scale(place);
@@ -46,8 +42,7 @@ void BlockFactors<Real>::factorize() {
 }
 
 /// Subtracts from the blocks of a place what those that were eliminated before it have left in them.
-template <Scalar Real>
-void BlockFactors<Real>::take_out(int place) {
+void BlockFactors::take_out(int place) {
   for (int pair = elimination_.first(place); pair < elimination_.first(place + 1); ++pair) {
     pair_at_[elimination_.later(pair)] = pair;
   }
@@ -64,8 +59,7 @@ void BlockFactors<Real>::take_out(int place) {
 }
 
 /// What is left of a place's blocks becomes factors.
-template <Scalar Real>
-void BlockFactors<Real>::scale(int place) {
+void BlockFactors::scale(int place) {
   const Block inverse = diagonal_[place].inverse();
   diagonal_[place] = inverse;
   for (int pair = elimination_.first(place); pair < elimination_.first(place + 1); ++pair) {
@@ -75,21 +69,20 @@ void BlockFactors<Real>::scale(int place) {
   }
 }
 
-template <Scalar Real>
-void BlockFactors<Real>::solve(Vector<Real>& x) const {
-  const auto part = [this, &x](int place) { return x.template segment<3>(3 * elimination_.body(place)); };
+void BlockFactors::solve(Vector<double>& x) const {
+  const auto part = [this, &x](int place) { return x.segment<3>(3 * elimination_.body(place)); };
   const int count = elimination_.bodies();
   for (int place = 0; place < count; ++place) {
-    const Vec3<Real> known = part(place);
+    const Vec3<double> known = part(place);
     for (int pair = elimination_.first(place); pair < elimination_.first(place + 1); ++pair)
       part(elimination_.later(pair)).noalias() -= lower_[pair] * known;
   }
   // Back through memory as well. L^T of a symmetric matrix has been read just now.
   for (int place = count; place-- > 0;) {
-    Vec3<Real> rest = part(place);
+    Vec3<double> rest = part(place);
     if (is_symmetric_) rest = (diagonal_[place] * rest).eval();
     for (int pair = elimination_.first(place + 1); pair-- > elimination_.first(place);) {
-      const Vec3<Real> later = part(elimination_.later(pair));
+      const Vec3<double> later = part(elimination_.later(pair));
       if (is_symmetric_) {
         rest.noalias() -= lower_[pair].transpose() * later;
       } else {
@@ -101,12 +94,8 @@ void BlockFactors<Real>::solve(Vector<Real>& x) const {
   }
 }
 
-template <Scalar Real>
-std::size_t BlockFactors<Real>::memory() const {
+std::size_t BlockFactors::memory() const {
   return elimination_.memory() + upper_.bytes() + lower_.bytes() + diagonal_.bytes() + pair_at_.bytes();
 }
-
-template class BlockFactors<double>;
-template class BlockFactors<long double>;
 
 }  // namespace cairn

@@ -17,11 +17,10 @@ namespace cairn {
 ///
 /// Cost: with d neighbours left to a body when it is eliminated, 27 d^2 multiply-adds, or half of them. A
 /// chain or a stack has d = 1: linear in bodies. Memory: 18 d numbers a body, and 3 d integers.
-template <Scalar Real>
 class BlockFactors {
  public:
   /// What one body has to do with another, or with itself.
-  using Block = Eigen::Matrix<Real, 3, 3>;
+  using Block = Eigen::Matrix<double, 3, 3>;
 
   /// The bodies, and the pairs (lower, higher) of those that share a row, sorted and each once.
   /// @throws std::length_error for more than Elimination::max_pairs pairs: before factors are allocated, and
@@ -37,7 +36,7 @@ class BlockFactors {
   /// Of how many bodies there are factors; 0: there are none.
   int factorized_bodies() const { return is_factorized_ ? elimination_.bodies() : 0; }
   /// x = matrix^-1 x.
-  void solve(Vector<Real>& x) const;
+  void solve(Vector<double>& x) const;
   /// Bytes of the factors and of their order.
   std::size_t memory() const;
 

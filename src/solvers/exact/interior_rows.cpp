@@ -15,8 +15,7 @@ constexpr double share_of_smoothing = 0.1;  // |w_t| is round below so much of t
 
 }  // namespace
 
-template <Scalar Real>
-bool InteriorRows<Real>::begin(const ProximalRows<Real>& rows, Real distance) {
+bool InteriorRows::begin(const ProximalRows<double>& rows, double distance) {
   rows_ = &rows;
   has_friction_ = false;
   members_.clear();
@@ -30,8 +29,7 @@ bool InteriorRows<Real>::begin(const ProximalRows<Real>& rows, Real distance) {
   return true;
 }
 
-template <Scalar Real>
-bool InteriorRows<Real>::append(int i) {
+bool InteriorRows::append(int i) {
   const auto& row = rows_->row(i);
   if (row.unit == 0 || row.bounds.is_friction()) return true;
   const bool has_lower = std::isfinite(row.bounds.lower), has_upper = std::isfinite(row.bounds.upper);
@@ -45,12 +43,11 @@ bool InteriorRows<Real>::append(int i) {
   return !(has_lower && has_upper);
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::pair_friction(int i, bool& fits) {
+void InteriorRows::pair_friction(int i, bool& fits) {
   const auto& row = rows_->row(i);
   if (row.unit == 0 || !row.bounds.is_friction()) return;
-  const bool has_one_normal = !(row.bounds.disc > 0) && row.bounds.normal_row != Bounds<Real>::none &&
-                              row.bounds.second_normal_row == Bounds<Real>::none;
+  const bool has_one_normal = !(row.bounds.disc > 0) && row.bounds.normal_row != Bounds<double>::none &&
+                              row.bounds.second_normal_row == Bounds<double>::none;
   const int place = has_one_normal ? member_of_[row.bounds.normal_row] : -1;
   if (place < 0) {
     fits = false;
@@ -65,17 +62,16 @@ void InteriorRows<Real>::pair_friction(int i, bool& fits) {
 }
 
 /// From the centre; the velocity may come from elsewhere after that.
-template <Scalar Real>
-void InteriorRows<Real>::set_speeds(Member& member, Real distance) const {
-  const Real x = rows_->center(member.row), w = rows_->center_speed(member.row);
+void InteriorRows::set_speeds(Member& member, double distance) const {
+  const double x = rows_->center(member.row), w = rows_->center_speed(member.row);
   if (member.sides == 0) {
     member.bound = x;
   } else if (member.sides == 1) {
     member.plus.impulse = std::max(member.direction * (x - member.bound), distance);
     member.plus.speed = std::max(member.direction * w, distance);
   } else {
-    const Real tangent = member.ratio > 0 ? rows_->center(member.friction) / member.ratio : Real(0);
-    const Real slip = member.ratio * rows_->center_speed(member.friction);
+    const double tangent = member.ratio > 0 ? rows_->center(member.friction) / member.ratio : 0.0;
+    const double slip = member.ratio * rows_->center_speed(member.friction);
     member.plus.impulse = std::max((x + tangent) / 2, distance);
     member.minus.impulse = std::max((x - tangent) / 2, distance);
     member.plus.speed = std::max(w + std::abs(slip) + slip, distance);
@@ -83,8 +79,7 @@ void InteriorRows<Real>::set_speeds(Member& member, Real distance) const {
   }
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::find_velocity() {
+void InteriorRows::find_velocity() {
   x_.setZero(rows_->row_count());
   u_.setZero(rows_->freedoms());
   for (const Member& member : members_) {
@@ -96,76 +91,69 @@ void InteriorRows<Real>::find_velocity() {
   }
 }
 
-template <Scalar Real>
-Real InteriorRows<Real>::speed_of(int i) const {
+double InteriorRows::speed_of(int i) const {
   const auto& row = rows_->row(i);
   return rows_->product(row, u_) + row.softness * x_(i) + row.constant;
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::linearize() {
-  const Real smoothing =
-      Real(share_of_smoothing) * std::max(std::sqrt(mean_product(0)), rows_->error_of_a_row());
+void InteriorRows::linearize() {
+  const double smoothing = share_of_smoothing * std::max(std::sqrt(mean_product(0)), rows_->error_of_a_row());
   for (Member& member : members_) {
     if (member.sides == 2) {
       linearize_cone(member, smoothing);
       continue;
     }
-    const Real softness = rows_->row(member.row).softness + Real(softness_of_systems);
-    const Real w = speed_of(member.row);
+    const double softness = rows_->row(member.row).softness + softness_of_systems;
+    const double w = speed_of(member.row);
     member.plus.error = member.sides == 0 ? -w : member.plus.speed - member.direction * w;
-    const Real barrier = member.sides == 0 ? Real(0) : member.plus.speed / member.plus.impulse;
+    const double barrier = member.sides == 0 ? 0.0 : member.plus.speed / member.plus.impulse;
     member.plus_slope = 1 / (barrier + softness);
   }
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::linearize_cone(Member& member, Real smoothing) const {
-  const Real w = speed_of(member.row), slip = member.ratio * speed_of(member.friction);
-  member.lift_slope = slip == 0 ? Real(0) : slip / std::sqrt(slip * slip + smoothing * smoothing);
+void InteriorRows::linearize_cone(Member& member, double smoothing) const {
+  const double w = speed_of(member.row), slip = member.ratio * speed_of(member.friction);
+  member.lift_slope = slip == 0 ? 0.0 : slip / std::sqrt(slip * slip + smoothing * smoothing);
   member.plus.error = member.plus.speed - (w + std::abs(slip) + slip);
   member.minus.error = member.minus.speed - (w + std::abs(slip) - slip);
-  const Real normal = rows_->row(member.row).softness + Real(softness_of_systems);
-  const Real tangent =
-      member.ratio * member.ratio * (rows_->row(member.friction).softness + Real(softness_of_systems));
-  const Real plus = member.plus.speed / member.plus.impulse + normal + tangent;
-  const Real minus = member.minus.speed / member.minus.impulse + normal + tangent;
-  const Real mixed = normal - tangent, determinant = plus * minus - mixed * mixed;
+  const double normal = rows_->row(member.row).softness + softness_of_systems;
+  const double tangent =
+      member.ratio * member.ratio * (rows_->row(member.friction).softness + softness_of_systems);
+  const double plus = member.plus.speed / member.plus.impulse + normal + tangent;
+  const double minus = member.minus.speed / member.minus.impulse + normal + tangent;
+  const double mixed = normal - tangent, determinant = plus * minus - mixed * mixed;
   member.plus_slope = minus / determinant;
   member.minus_slope = plus / determinant;
   member.mixed_slope = -mixed / determinant;
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::right_sides(const Member& member, Real target, Real& plus, Real& minus) const {
+void InteriorRows::right_sides(const Member& member, double target, double& plus, double& minus) const {
   const auto of = [target](const Side& side) {
     return (target - side.product) / side.impulse - side.speed + side.error;
   };
   plus = member.sides == 0 ? member.plus.error : of(member.plus);
-  minus = member.sides == 2 ? of(member.minus) : Real(0);
+  minus = member.sides == 2 ? of(member.minus) : 0.0;
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::find_right_side(Real target, Vector<Real>& right) const {
+void InteriorRows::find_right_side(double target, Vector<double>& right) const {
   right.setZero(rows_->freedoms());
   for (const Member& member : members_) {
-    Real plus, minus;
+    double plus, minus;
     right_sides(member, target, plus, minus);
-    const Real a = member.plus_slope * plus + member.mixed_slope * minus;
-    const Real b = member.mixed_slope * plus + member.minus_slope * minus;
+    const double a = member.plus_slope * plus + member.mixed_slope * minus;
+    const double b = member.mixed_slope * plus + member.minus_slope * minus;
     rows_->add_to(right, rows_->row(member.row), member.direction * (a + b));
     if (member.friction >= 0) rows_->add_to(right, rows_->row(member.friction), member.ratio * (a - b));
   }
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::find_direction(Real target, const Vector<Real>& du) {
+void InteriorRows::find_direction(double target, const Vector<double>& du) {
   for (Member& member : members_) {
-    Real plus, minus;
+    double plus, minus;
     right_sides(member, target, plus, minus);
-    const Real normal = member.direction * rows_->product(rows_->row(member.row), du);
-    const Real slip =
-        member.friction >= 0 ? member.ratio * rows_->product(rows_->row(member.friction), du) : Real(0);
+    const double normal = member.direction * rows_->product(rows_->row(member.row), du);
+    const double slip =
+        member.friction >= 0 ? member.ratio * rows_->product(rows_->row(member.friction), du) : 0.0;
     plus -= normal + (member.lift_slope + 1) * slip;
     if (member.sides == 2) minus -= normal + (member.lift_slope - 1) * slip;
     member.plus.impulse_change = member.plus_slope * plus + member.mixed_slope * minus;
@@ -178,26 +166,23 @@ void InteriorRows<Real>::find_direction(Real target, const Vector<Real>& du) {
   }
 }
 
-template <Scalar Real>
 template <typename Visit>
-void InteriorRows<Real>::for_each_side(const Visit& visit) const {
+void InteriorRows::for_each_side(const Visit& visit) const {
   for (const Member& member : members_) {
     if (member.sides > 0) visit(member.plus);
     if (member.sides > 1) visit(member.minus);
   }
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::keep_products() {
+void InteriorRows::keep_products() {
   for (Member& member : members_) {
     for (Side* side : {&member.plus, &member.minus})
       side->product = side->impulse_change * side->speed_change;
   }
 }
 
-template <Scalar Real>
-Real InteriorRows<Real>::longest_step() const {
-  Real longest = std::numeric_limits<Real>::infinity();
+double InteriorRows::longest_step() const {
+  double longest = std::numeric_limits<double>::infinity();
   for_each_side([&longest](const Side& side) {
     if (side.impulse_change < 0) longest = std::min(longest, -side.impulse / side.impulse_change);
     if (side.speed_change < 0) longest = std::min(longest, -side.speed / side.speed_change);
@@ -205,9 +190,8 @@ Real InteriorRows<Real>::longest_step() const {
   return longest;
 }
 
-template <Scalar Real>
-Real InteriorRows<Real>::mean_product(Real share) const {
-  Real sum = 0;
+double InteriorRows::mean_product(double share) const {
+  double sum = 0;
   int count = 0;
   for_each_side([&](const Side& side) {
     sum += (side.impulse + share * side.impulse_change) * (side.speed + share * side.speed_change);
@@ -216,8 +200,7 @@ Real InteriorRows<Real>::mean_product(Real share) const {
   return sum / std::max(count, 1);
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::go(Real share) {
+void InteriorRows::go(double share) {
   for (Member& member : members_) {
     if (member.sides == 0) member.bound += share * member.plus.impulse_change;
     for (Side* side : {&member.plus, &member.minus}) {
@@ -229,27 +212,21 @@ void InteriorRows<Real>::go(Real share) {
   find_velocity();
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::copy_impulses_to(PerRow<Real>& impulse) const {
+void InteriorRows::copy_impulses_to(PerRow<double>& impulse) const {
   impulse.resize(rows_->row_count());
   for (int i = 0; i < rows_->row_count(); ++i) impulse[i] = rows_->row(i).unit * x_(i);
 }
 
-template <Scalar Real>
-void InteriorRows<Real>::clear() {
+void InteriorRows::clear() {
   members_.clear();
   member_of_.clear();
   x_.resize(0);
   u_.resize(0);
 }
 
-template <Scalar Real>
-std::size_t InteriorRows<Real>::memory() const {
+std::size_t InteriorRows::memory() const {
   return members_.bytes() + member_of_.bytes() +
-         static_cast<std::size_t>(x_.size() + u_.size()) * sizeof(Real);
+         static_cast<std::size_t>(x_.size() + u_.size()) * sizeof(double);
 }
-
-template class InteriorRows<double>;
-template class InteriorRows<long double>;
 
 }  // namespace cairn

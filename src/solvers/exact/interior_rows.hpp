@@ -15,12 +15,11 @@ namespace cairn {
 ///
 /// Which rows are at their bounds need not be guessed: where many change at once, 15 to 30 systems lead to
 /// the answer, however many they are. Numbers are in sqrt(J), as in ProximalRows.
-template <Scalar Real>
 class InteriorRows {
  public:
   /// Begins from the centre of `rows`, brought so far away from bounds [sqrt(J)]. `rows` must outlive it.
   /// @returns false for rows of other kinds: two bounds, discs, several normals or frictions a contact.
-  bool begin(const ProximalRows<Real>& rows, Real distance);
+  bool begin(const ProximalRows<double>& rows, double distance);
 
   /// Holds no rows any more.
   void clear();
@@ -32,77 +31,76 @@ class InteriorRows {
   /// Whether that is symmetric: no friction.
   bool has_symmetric_slope() const { return !has_friction_; }
   /// Of no proximal problem.
-  Real softness() const { return 0; }
+  double softness() const { return 0; }
 
   /// The right-hand side of the system for p z = target, without second order or with what keep_products()
   /// has kept.
-  void find_right_side(Real target, Vector<Real>& right) const;
+  void find_right_side(double target, Vector<double>& right) const;
   /// The direction, from its solution.
-  void find_direction(Real target, const Vector<Real>& du);
+  void find_direction(double target, const Vector<double>& du);
   /// Keeps the products of changes.
   void keep_products();
   /// The largest share of the direction that leaves no number negative.
-  Real longest_step() const;
+  double longest_step() const;
   /// The mean of p z after that share of the direction.
-  Real mean_product(Real share) const;
+  double mean_product(double share) const;
   /// Goes that share.
-  void go(Real share);
+  void go(double share);
   /// The impulses of the moment [N s].
-  void copy_impulses_to(PerRow<Real>& impulse) const;
+  void copy_impulses_to(PerRow<double>& impulse) const;
   /// Bytes of all this.
   std::size_t memory() const;
 
  private:
   /// One p with its z.
   struct Side {
-    Real impulse = 0;
-    Real speed = 0;
-    Real impulse_change = 0;
-    Real speed_change = 0;
-    Real error = 0;    // of the speed, beside what the velocities say
-    Real product = 0;  // of changes
+    double impulse = 0;
+    double speed = 0;
+    double impulse_change = 0;
+    double speed_change = 0;
+    double error = 0;    // of the speed, beside what the velocities say
+    double product = 0;  // of changes
   };
   /// What a row gives, with its friction where it has some.
   struct Member {
     int row = 0;
     int friction = -1;
-    int sides = 1;        // 0: without bounds
-    Real direction = 1;   // -1: it has an upper bound
-    Real bound = 0;       // or, without bounds, the impulse itself
-    Real ratio = 0;       // m
-    Real lift_slope = 0;  // d|w_t| / dw_t, smooth at 0
+    int sides = 1;          // 0: without bounds
+    double direction = 1;   // -1: it has an upper bound
+    double bound = 0;       // or, without bounds, the impulse itself
+    double ratio = 0;       // m
+    double lift_slope = 0;  // d|w_t| / dw_t, smooth at 0
     Side plus = {};
     Side minus = {};
-    Real plus_slope = 0, minus_slope = 0, mixed_slope = 0;  // -dp / dz, with each other
+    double plus_slope = 0, minus_slope = 0, mixed_slope = 0;  // -dp / dz, with each other
   };
   bool append(int i);
   void pair_friction(int i, bool& fits);
-  void set_speeds(Member& member, Real distance) const;
-  void linearize_cone(Member& member, Real smoothing) const;
-  Real speed_of(int i) const;
+  void set_speeds(Member& member, double distance) const;
+  void linearize_cone(Member& member, double smoothing) const;
+  double speed_of(int i) const;
   void find_velocity();
-  void right_sides(const Member& member, Real target, Real& plus, Real& minus) const;
+  void right_sides(const Member& member, double target, double& plus, double& minus) const;
   template <typename Visit>
   void for_each_side(const Visit& visit) const;
 
-  const ProximalRows<Real>* rows_ = nullptr;
+  const ProximalRows<double>* rows_ = nullptr;
   bool has_friction_ = false;
   List<Member> members_;
   List<int> member_of_;  // of each row that is no friction
-  Vector<Real> x_;       // impulses of rows
-  Vector<Real> u_;       // G^T x
+  Vector<double> x_;     // impulses of rows
+  Vector<double> u_;     // G^T x
 };
 
-template <Scalar Real>
 template <typename Visit>
-void InteriorRows<Real>::for_each_slope(const Visit& visit) const {
+void InteriorRows::for_each_slope(const Visit& visit) const {
   for (const Member& member : members_) {
     const auto normal = rows_->terms_of(rows_->row(member.row));
-    const Real a = member.plus_slope, b = member.mixed_slope, c = member.minus_slope;
+    const double a = member.plus_slope, b = member.mixed_slope, c = member.minus_slope;
     visit(normal, normal, a + 2 * b + c);
     if (member.friction < 0) continue;
     const auto tangent = rows_->terms_of(rows_->row(member.friction));
-    const Real m = member.ratio, plus = member.lift_slope + 1, minus = member.lift_slope - 1;
+    const double m = member.ratio, plus = member.lift_slope + 1, minus = member.lift_slope - 1;
     visit(normal, tangent, m * ((a + b) * plus + (b + c) * minus));
     visit(tangent, normal, m * (a - c));
     visit(tangent, tangent, m * m * ((a - b) * plus + (b - c) * minus));

@@ -23,10 +23,10 @@ void NewtonSolver<Real>::follow_interior() {
   for (int attempt = 0; attempt < most_attempts; ++attempt, factor *= 10) {
     rows_.center_at(best_);
     note_center();
-    const Work distance = Work(first_distance * factor) * rows_.error_of_a_row();
+    const double distance = first_distance * factor * rows_.error_of_a_row();
     if (!interior_.begin(rows_, distance)) return;
-    Work share = 1;
-    for (int step = 0; step < steps_of_one_attempt && share > Work(least_share); ++step) {
+    double share = 1;
+    for (int step = 0; step < steps_of_one_attempt && share > least_share; ++step) {
       if (least_residual_ <= enough() || systems_ >= settings_.iterations) break;
       share = take_interior_step();
     }
@@ -36,23 +36,23 @@ void NewtonSolver<Real>::follow_interior() {
 
 /// As Mehrotra does: a step for 0 shows how far the products may be asked to fall, and their second order.
 template <Scalar Real>
-typename NewtonSolver<Real>::Work NewtonSolver<Real>::take_interior_step() {
+double NewtonSolver<Real>::take_interior_step() {
   Deadline::go_on();
   interior_.linearize();
   ++systems_;
   factors_.factorize(rows_, interior_);
-  const auto aim = [this](Work target) {
+  const auto aim = [this](double target) {
     interior_.find_right_side(target, change_);
     factors_.solve(change_);
     interior_.find_direction(target, change_);
   };
   aim(0);
-  const Work product = interior_.mean_product(0);
-  const Work left =
-      product > 0 ? interior_.mean_product(std::min(Work(1), interior_.longest_step())) / product : 0;
+  const double product = interior_.mean_product(0);
+  const double left =
+      product > 0 ? interior_.mean_product(std::min(1.0, interior_.longest_step())) / product : 0;
   interior_.keep_products();
   aim(left * left * left * product);
-  const Work share = std::min(Work(1), Work(share_of_way) * interior_.longest_step());
+  const double share = std::min(1.0, share_of_way * interior_.longest_step());
   if (!change_.allFinite()) return 0;
   interior_.go(share);
   interior_.copy_impulses_to(inside_);
@@ -63,6 +63,5 @@ typename NewtonSolver<Real>::Work NewtonSolver<Real>::take_interior_step() {
 
 template void NewtonSolver<float>::follow_interior();
 template void NewtonSolver<double>::follow_interior();
-template void NewtonSolver<long double>::follow_interior();
 
 }  // namespace cairn

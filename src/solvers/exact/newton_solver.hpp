@@ -64,48 +64,45 @@ class NewtonSolver final : public Solver<Real> {
   std::size_t memory() const override {
     const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
     return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
-           static_cast<std::size_t>(numbers) * sizeof(Work);
+           static_cast<std::size_t>(numbers) * sizeof(double);
   }
 
  private:
-  /// What it computes in.
-  using Work = std::conditional_t<std::is_same_v<Real, long double>, long double, double>;
-
-  void answer(const VelocityProblem<Work>& problem, bool again);
+  void answer(const VelocityProblem<double>& problem, bool again);
   SolveReport solve_unobserved(VelocityProblem<Real>& problem);
   void give_answer(VelocityProblem<Real>& problem);
-  void approach(const VelocityProblem<Work>& problem);
-  void sweep(const VelocityProblem<Work>& problem, int sweeps);
-  Work tolerance() const { return static_cast<Work>(std::min(settings_.tolerance, loosest_tolerance)); }
-  Work enough() const { return std::max(tolerance(), rounding()); }
-  Work goal() const;
-  Work rounding() const;
+  void approach(const VelocityProblem<double>& problem);
+  void sweep(const VelocityProblem<double>& problem, int sweeps);
+  double tolerance() const { return std::min(settings_.tolerance, loosest_tolerance); }
+  double enough() const { return std::max(tolerance(), rounding()); }
+  double goal() const;
+  double rounding() const;
   void go_on();
   bool solve_softened();
-  bool take_kept_step(Work& error);
-  bool take_new_step(Work& error);
+  bool take_kept_step(double& error);
+  bool take_new_step(double& error);
   void follow_interior();
-  Work take_interior_step();
-  bool shorten(const Vector<Work>& change, Work& error);
+  double take_interior_step();
+  bool shorten(const Vector<double>& change, double& error);
   void note_center();
 
   static constexpr double loosest_tolerance = 1e-6;
 
   SolverSettings settings_;
-  ProximalRows<Work> rows_;
-  InteriorRows<Work> interior_;
-  SlopeFactors<Work> factors_;  // of the last system, in this solve or in an earlier one
-  Vector<Work> du_;             // where Newton's method is
-  Vector<Work> next_;           // and where it may go
-  Vector<Work> change_;         // its step
-  Work residual_ = 0;           // R_E at the centre
-  Work least_residual_ = 0;
-  PerRow<Work> inside_;          // [N s] impulses on the way through the interior
-  VelocityProblem<Work> swept_;  // a copy for sweeps
-  PerRow<Work> best_;            // [N s] the impulses with that
-  std::uint64_t solved_ = 0;     // the number of the problem whose rows it has
-  int systems_ = 0;              // solved by factors of their own
-  int sweeps_ = 0;               // done between them, or what takes as long
+  ProximalRows<double> rows_;
+  InteriorRows interior_;
+  SlopeFactors factors_;   // of the last system, in this solve or in an earlier one
+  Vector<double> du_;      // where Newton's method is
+  Vector<double> next_;    // and where it may go
+  Vector<double> change_;  // its step
+  double residual_ = 0;    // R_E at the centre
+  double least_residual_ = 0;
+  PerRow<double> inside_;          // [N s] impulses on the way through the interior
+  VelocityProblem<double> swept_;  // a copy for sweeps
+  PerRow<double> best_;            // [N s] the impulses with that
+  std::uint64_t solved_ = 0;       // the number of the problem whose rows it has
+  int systems_ = 0;                // solved by factors of their own
+  int sweeps_ = 0;                 // done between them, or what takes as long
 };
 
 }  // namespace cairn

@@ -5,8 +5,7 @@
 
 namespace cairn {
 
-template <Scalar Real>
-void SlopeFactors<Real>::find_pairs(const ProximalRows<Real>& rows) {
+void SlopeFactors::find_pairs(const ProximalRows<double>& rows) {
   pairs_.clear();
   rows.for_each_terms([this](const auto& terms) {
     for (const auto& left : terms) {
@@ -20,8 +19,5 @@ void SlopeFactors<Real>::find_pairs(const ProximalRows<Real>& rows) {
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
   has_pairs_ = true;
 }
-
-template class SlopeFactors<double>;
-template class SlopeFactors<long double>;
 
 }  // namespace cairn

@@ -13,7 +13,6 @@ namespace cairn {
 /// still says well which way to go (simplified Newton's method: P. Deuflhard, Newton Methods for Nonlinear
 /// Problems, 2004): so it stays until who asks has it made anew. So does the order of elimination, while the
 /// pairs of bodies are among those that it was made for.
-template <Scalar Real>
 class SlopeFactors {
  public:
   /// From here on rows are those of another problem, whose pairs of bodies are not known yet.
@@ -21,34 +20,33 @@ class SlopeFactors {
   /// Made anew from slopes between those rows, their own at the last evaluation or InteriorRows.
   /// @throws std::length_error as BlockFactors does.
   template <typename Slopes>
-  void factorize(const ProximalRows<Real>& rows, const Slopes& slopes);
+  void factorize(const ProximalRows<double>& rows, const Slopes& slopes);
   /// Whether there are any, for as many bodies.
-  bool are_for(const ProximalRows<Real>& rows) const {
+  bool are_for(const ProximalRows<double>& rows) const {
     return factors_.factorized_bodies() > 0 && 3 * factors_.factorized_bodies() == rows.freedoms();
   }
   /// How soft rows were when they were made; 0: they are of no proximal problem.
-  Real softness() const { return softness_; }
+  double softness() const { return softness_; }
   /// x = matrix^-1 x.
-  void solve(Vector<Real>& x) const { factors_.solve(x); }
+  void solve(Vector<double>& x) const { factors_.solve(x); }
   /// Bytes of all that is kept.
   std::size_t memory() const { return pairs_.bytes() + factors_.memory(); }
 
  private:
-  void find_pairs(const ProximalRows<Real>& rows);
+  void find_pairs(const ProximalRows<double>& rows);
 
-  BlockFactors<Real> factors_;
-  Real softness_ = 0;
+  BlockFactors factors_;
+  double softness_ = 0;
   List<std::pair<int, int>> pairs_;  // of bodies that share a row
   bool has_pairs_ = false;           // of the rows as they are
 };
 
-template <Scalar Real>
 template <typename Slopes>
-void SlopeFactors<Real>::factorize(const ProximalRows<Real>& rows, const Slopes& slopes) {
+void SlopeFactors::factorize(const ProximalRows<double>& rows, const Slopes& slopes) {
   if (!has_pairs_) find_pairs(rows);
   factors_.begin(static_cast<int>(rows.freedoms() / 3), pairs_);
   factors_.set_identity(slopes.has_symmetric_slope());
-  slopes.for_each_slope([this](const auto& left, const auto& right, Real factor) {
+  slopes.for_each_slope([this](const auto& left, const auto& right, double factor) {
     for (const auto& l : left) {
       for (const auto& r : right) factors_.add(l.body, r.body, factor * l.value * r.value.transpose());
     }

@@ -271,6 +271,5 @@ void BlockSequentialImpulse<Real>::correct(const Part& part, const VelocityProbl
 
 template class BlockSequentialImpulse<float>;
 template class BlockSequentialImpulse<double>;
-template class BlockSequentialImpulse<long double>;
 
 }  // namespace cairn

@@ -96,16 +96,11 @@ Vec2<Real> solve_two_normals(const PairMatrix<Real>& A, const Vec2<Real>& q) {
 
 template class BlockFactor<float>;
 template class BlockFactor<double>;
-template class BlockFactor<long double>;
 template bool is_regular(const PairMatrix<float>&);
 template bool is_regular(const PairMatrix<double>&);
-template bool is_regular(const PairMatrix<long double>&);
 template Vec2<float> solve_coulomb(const PairMatrix<float>&, const Vec2<float>&, float);
 template Vec2<double> solve_coulomb(const PairMatrix<double>&, const Vec2<double>&, double);
-template Vec2<long double> solve_coulomb(const PairMatrix<long double>&, const Vec2<long double>&,
-                                         long double);
 template Vec2<float> solve_two_normals(const PairMatrix<float>&, const Vec2<float>&);
 template Vec2<double> solve_two_normals(const PairMatrix<double>&, const Vec2<double>&);
-template Vec2<long double> solve_two_normals(const PairMatrix<long double>&, const Vec2<long double>&);
 
 }  // namespace cairn

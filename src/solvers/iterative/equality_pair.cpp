@@ -36,6 +36,5 @@ bool EqualityPair<Real>::begin(const VelocityProblem<Real>& problem, int first, 
 
 template class EqualityPair<float>;
 template class EqualityPair<double>;
-template class EqualityPair<long double>;
 
 }  // namespace cairn

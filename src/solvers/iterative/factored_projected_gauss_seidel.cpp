@@ -109,6 +109,5 @@ std::size_t FactoredProjectedGaussSeidel<Real>::memory() const {
 
 template class FactoredProjectedGaussSeidel<float>;
 template class FactoredProjectedGaussSeidel<double>;
-template class FactoredProjectedGaussSeidel<long double>;
 
 }  // namespace cairn

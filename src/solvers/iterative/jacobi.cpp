@@ -92,10 +92,7 @@ Real Jacobi<Real>::sweep(int number, VelocityProblem<Real>& problem, SolveObserv
 template void prepare_jacobi(const VelocityProblem<float>&, float, Splitting, PerBody<int>&, PerRow<float>&);
 template void prepare_jacobi(const VelocityProblem<double>&, double, Splitting, PerBody<int>&,
                              PerRow<double>&);
-template void prepare_jacobi(const VelocityProblem<long double>&, long double, Splitting, PerBody<int>&,
-                             PerRow<long double>&);
 template class Jacobi<float>;
 template class Jacobi<double>;
-template class Jacobi<long double>;
 
 }  // namespace cairn

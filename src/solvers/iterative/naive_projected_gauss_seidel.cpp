@@ -68,6 +68,5 @@ void NaiveProjectedGaussSeidel<Real>::recompute_velocity(VelocityProblem<Real>& 
 
 template class NaiveProjectedGaussSeidel<float>;
 template class NaiveProjectedGaussSeidel<double>;
-template class NaiveProjectedGaussSeidel<long double>;
 
 }  // namespace cairn

@@ -107,6 +107,5 @@ std::size_t SparseProjectedGaussSeidel<Real>::memory() const {
 
 template class SparseProjectedGaussSeidel<float>;
 template class SparseProjectedGaussSeidel<double>;
-template class SparseProjectedGaussSeidel<long double>;
 
 }  // namespace cairn

@@ -23,13 +23,6 @@ struct Register {
   static constexpr int count = bytes / static_cast<int>(sizeof(Number));
 };
 
-/// No register has more than one of these.
-template <int bytes>
-struct Register<long double, bytes> {
-  typedef long double Numbers;
-  static constexpr int count = 1;
-};
-
 template <typename Numbers, typename Number>
 inline Numbers load(const Number* from) {
   Numbers numbers;

@@ -11,22 +11,21 @@ namespace cairn {
 
 namespace {
 
-template <int bytes, typename Number>
-void pass_over(LaneProblem<Number>& problem, LanePass pass, int first, int last) {
+template <int bytes>
+void pass_over(LaneProblem& problem, LanePass pass, int first, int last) {
   pass_batches<bytes>(problem, pass, first, last);
 }
 
 template <int bytes, typename Real>
 LaneCode<Real> code_in_registers_of() {
-  using Number = LaneNumber<Real>;
-  return {.pass = pass_over<bytes, Number>,
-          .fill = fill_lanes<Real, Number>,
+  return {.pass = pass_over<bytes>,
+          .fill = fill_lanes<Real>,
           .measure_contacts = measure_contacts<Real>,
           .relax_contacts = relax_contacts<Real>,
           .push_contacts = push_contacts<bytes, Real>,
           .sweep_contacts = sweep_contacts<bytes, Real>,
-          .fill_contacts = fill_contacts<bytes, Real, Number>,
-          .empty_contacts = empty_contacts<bytes, Real, Number>,
+          .fill_contacts = fill_contacts<bytes, Real>,
+          .empty_contacts = empty_contacts<bytes, Real>,
           .weigh_contacts = weigh_contacts<bytes, Real>};
 }
 

@@ -10,6 +10,5 @@ LaneCode<Real> baseline_code() {
 
 template LaneCode<float> baseline_code();
 template LaneCode<double> baseline_code();
-template LaneCode<long double> baseline_code();
 
 }  // namespace cairn

@@ -114,10 +114,10 @@ inline void relax_contacts(LaneContactBatch<Real>& batch) {
 }
 
 /// The normal row of a point as sweeps read it, or that of friction.
-template <bool is_friction, typename Real, typename Number>
+template <bool is_friction, typename Real>
 inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int row,
-                             const LaneBodyInput<Real>& __restrict bodies,
-                             const LaneRoots<Number>& __restrict roots, LaneRow<Number>& __restrict to) {
+                             const LaneBodyInput<Real>& __restrict bodies, const LaneRoots& __restrict roots,
+                             LaneRow& __restrict to) {
   const int point = batch.has_friction ? row / 2 : row;
   for (int lane = 0; lane < lane_count; ++lane) {
     const Real n_x = batch.normal[0][lane], n_y = batch.normal[1][lane];
@@ -138,10 +138,9 @@ inline void fill_contact_row(const LaneContactBatch<Real>& __restrict batch, int
 }
 
 /// The rows of a batch as sweeps read them.
-template <int bytes, typename Real, typename Number>
+template <int bytes, typename Real>
 inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, const LaneBody<Real>* velocity,
-                          const LaneRoots<Number>& roots, Real relaxation, LaneRow<Number>* rows,
-                          LaneCoupling<Number>* couplings) {
+                          const LaneRoots& roots, Real relaxation, LaneRow* rows, LaneCoupling* couplings) {
   LaneBodyInput<Real> bodies;
   gather_bodies<bytes>(at, velocity, bodies);
   for (int i = 0; i < batch.rows(); ++i) {
@@ -152,7 +151,7 @@ inline void fill_contacts(LaneContactBatch<Real>& batch, const LaneBatch& at, co
       fill_contact_row<false>(batch, i, bodies, roots, rows[i]);
     }
     for (int k = 0; k < i; ++k) {
-      couple_rows(rows[i], rows[k], static_cast<Number>(relaxation), *couplings++);
+      couple_rows(rows[i], rows[k], static_cast<float>(relaxation), *couplings++);
     }
   }
 }
@@ -166,8 +165,8 @@ inline Real within_friction(Real wish, Real friction, Real other) {
 }
 
 /// Impulses with what sweeps have added, inside their bounds, and what that gives to the bodies.
-template <int bytes, typename Real, typename Number>
-inline void empty_contacts(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch, const LaneBatch& at,
+template <int bytes, typename Real>
+inline void empty_contacts(const LaneRow* rows, LaneContactBatch<Real>& batch, const LaneBatch& at,
                            LaneBody<Real>* velocity) {
   LaneBodyInput<Real> bodies;
   gather_bodies<bytes>(at, velocity, bodies);

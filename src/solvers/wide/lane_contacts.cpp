@@ -15,7 +15,7 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const VelocityProbl
   for (const LaneBatch& batch : batches.batches()) {
     if (batch.contacts < 0) continue;
     LaneContactBatch<Real>& to = contacts_[batch.contacts];
-    LaneRoots<Number>& roots = roots_[batch.contacts];
+    LaneRoots& roots = roots_[batch.contacts];
     if (batch.used < lane_count) {  // in all others, everything is set that is ever looked at
       to = {};
       roots = {};
@@ -27,8 +27,8 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const VelocityProbl
       for (int axis = 0; axis < 3; ++axis) {
         to.inverse_a[axis][lane] = problem.inverse_mass[a](axis);
         to.inverse_b[axis][lane] = problem.inverse_mass[b](axis);
-        roots.a[axis][lane] = static_cast<Number>(root[a](axis));
-        roots.b[axis][lane] = static_cast<Number>(root[b](axis));
+        roots.a[axis][lane] = static_cast<float>(root[a](axis));
+        roots.b[axis][lane] = static_cast<float>(root[b](axis));
       }
     }
   }
@@ -125,8 +125,8 @@ Real LaneContacts<Real>::sweep_once(const LaneCode<Real>& code, Span<const LaneB
 
 template <Scalar Real>
 void LaneContacts<Real>::fill(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
-                              const PerBody<Vec3<Real>>& velocity, List<LaneRow<Number>>& rows,
-                              List<LaneCoupling<Number>>& couplings) {
+                              const PerBody<Vec3<Real>>& velocity, List<LaneRow>& rows,
+                              List<LaneCoupling>& couplings) {
   take_velocities(velocity);
   for (const LaneBatch& batch : batches.batches()) {
     if (batch.contacts < 0) continue;
@@ -137,7 +137,7 @@ void LaneContacts<Real>::fill(const LaneCode<Real>& code, const LaneBatches& bat
 
 template <Scalar Real>
 void LaneContacts<Real>::empty(const LaneCode<Real>& code, Span<const LaneBatch> run,
-                               const List<LaneRow<Number>>& rows, PerBody<Vec3<Real>>& velocity) {
+                               const List<LaneRow>& rows, PerBody<Vec3<Real>>& velocity) {
   take_velocities(velocity);
   for (const LaneBatch& batch : run)
     code.empty_contacts(&rows[batch.first_row], contacts_[batch.contacts], batch, bodies_.data());
@@ -165,6 +165,5 @@ void LaneContacts<Real>::give(const LaneBatches& batches, VelocityProblem<Real>&
 
 template class LaneContacts<float>;
 template class LaneContacts<double>;
-template class LaneContacts<long double>;
 
 }  // namespace cairn

@@ -13,9 +13,6 @@ namespace cairn {
 template <Scalar Real>
 class LaneContacts {
  public:
-  /// What lanes compute in.
-  using Number = LaneNumber<Real>;
-
   /// Makes room for these batches; each body has its root of the inverse mass in `root`.
   void arrange(const LaneBatches& batches, const VelocityProblem<Real>& problem,
                const PerBody<Vec3<Real>>& root);
@@ -29,10 +26,9 @@ class LaneContacts {
   void push(const LaneCode<Real>& code, Span<const LaneBatch> run, PerBody<Vec3<Real>>& velocity);
   /// Fills the rows of all batches, from `velocity` on.
   void fill(const LaneCode<Real>& code, const LaneBatches& batches, Real relaxation,
-            const PerBody<Vec3<Real>>& velocity, List<LaneRow<Number>>& rows,
-            List<LaneCoupling<Number>>& couplings);
+            const PerBody<Vec3<Real>>& velocity, List<LaneRow>& rows, List<LaneCoupling>& couplings);
   /// Takes over what sweeps have changed since in a run, and gives it to the bodies.
-  void empty(const LaneCode<Real>& code, Span<const LaneBatch> run, const List<LaneRow<Number>>& rows,
+  void empty(const LaneCode<Real>& code, Span<const LaneBatch> run, const List<LaneRow>& rows,
              PerBody<Vec3<Real>>& velocity);
   /// One sweep over a run in the problem's own precision; returns the largest step of an impulse [N s].
   Real sweep_once(const LaneCode<Real>& code, Span<const LaneBatch> run, Real relaxation,
@@ -52,7 +48,7 @@ class LaneContacts {
   void give_velocities(PerBody<Vec3<Real>>& velocity) const;
 
   List<LaneContactBatch<Real>> contacts_;  // a batch each
-  List<LaneRoots<Number>> roots_;          // of each batch
+  List<LaneRoots> roots_;                  // of each batch
   PerBody<LaneBody<Real>> bodies_;         // as fast as they are, and one that nothing moves
   std::uint64_t taken_ = 0;                // the number of the problem that they are of
   LaneContactInput<Real> input_ = {};      // scratch, of one batch

@@ -13,29 +13,26 @@ inline constexpr int most_lane_rows = 6;
 /// One row of each block of a batch, scaled so that A_ii is 1. Impulses are changes since the lanes were
 /// filled, over `scale`; velocities are changes over the roots of the inverse masses. Functions that read it
 /// are compiled for several instruction sets: it has none of its own, and no type of Eigen.
-template <typename Number>
 struct alignas(64) LaneRow {
-  Number jacobian_a[3][lane_count];  // of the first body
-  Number jacobian_b[3][lane_count];  // of the second body
-  Number lacking[lane_count];        // bias - j v - softness * impulse where the lanes were filled
-  Number impulse[lane_count];        // the unknown: its change
-  Number lower[lane_count];          // of the impulse
-  Number upper[lane_count];          // of the impulse
-  Number friction[lane_count];       // by how much a normal impulse [N s] moves both of these
-  Number softness[lane_count];       // of the impulse
-  Number scale[lane_count];          // [N s] of an impulse of 1
+  float jacobian_a[3][lane_count];  // of the first body
+  float jacobian_b[3][lane_count];  // of the second body
+  float lacking[lane_count];        // bias - j v - softness * impulse where the lanes were filled
+  float impulse[lane_count];        // the unknown: its change
+  float lower[lane_count];          // of the impulse
+  float upper[lane_count];          // of the impulse
+  float friction[lane_count];       // by how much a normal impulse [N s] moves both of these
+  float softness[lane_count];       // of the impulse
+  float scale[lane_count];          // [N s] of an impulse of 1
 };
 
 /// An entry of A between two rows of a block, times omega: one for each block of a batch.
-template <typename Number>
 struct alignas(64) LaneCoupling {
-  Number entry[lane_count];  // one for each lane
+  float entry[lane_count];  // one for each lane
 };
 
 /// Impulses of one row of each block of a batch, as LaneRow has them.
-template <typename Number>
 struct alignas(64) LaneImpulse {
-  Number impulse[lane_count];  // one for each lane
+  float impulse[lane_count];  // one for each lane
 };
 
 /// What a row compares its impulse with.
@@ -73,25 +70,24 @@ struct LaneBatch {
 
 /// A body's velocity, or its change over the root of the inverse mass: x, y, rotation and a number that is
 /// always 0. Or where it is: x, y, and the cosine and the sine of its angle.
-template <typename Number>
-struct alignas(4 * sizeof(Number)) LaneBody {
-  Number numbers[4];  // side by side
+template <typename Real>
+struct alignas(4 * sizeof(Real)) LaneBody {
+  Real numbers[4];  // side by side
 };
 
 /// What a sweep over batches works on.
-template <typename Number>
 struct LaneProblem {
-  const LaneBatch* batches = nullptr;               // in the order of a sweep
-  const LaneKind* kinds = nullptr;                  // of their rows
-  const LaneCoupling<Number>* couplings = nullptr;  // between these
-  LaneRow<Number>* rows = nullptr;                  // all of them
-  LaneBody<Number>* bodies = nullptr;               // all, and one that nothing moves
-  LaneImpulse<Number>* before = nullptr;            // of each row: where the last sweep began
-  Number relaxation = 1;                            // omega
-  Number momentum = 0;                              // what a step begins with is so much of the last one
-  Number largest_change[lane_count] = {};           // [N s] of an impulse in each lane: sweeps raise it
-  Number squares[lane_count] = {};                  // [J] sums of A_ii step^2, of the impulses' steps
-  Number work[lane_count] = {};  // [J] sums of omega (bias - j v - softness * impulse) step
+  const LaneBatch* batches = nullptr;       // in the order of a sweep
+  const LaneKind* kinds = nullptr;          // of their rows
+  const LaneCoupling* couplings = nullptr;  // between these
+  LaneRow* rows = nullptr;                  // all of them
+  LaneBody<float>* bodies = nullptr;        // all, and one that nothing moves
+  LaneImpulse* before = nullptr;            // of each row: where the last sweep began
+  float relaxation = 1;                     // omega
+  float momentum = 0;                       // what a step begins with is so much of the last one
+  float largest_change[lane_count] = {};    // [N s] of an impulse in each lane: sweeps raise it
+  float squares[lane_count] = {};           // [J] sums of A_ii step^2, of the impulses' steps
+  float work[lane_count] = {};              // [J] sums of omega (bias - j v - softness * impulse) step
 };
 
 /// What a pass over all rows does to their impulses.
@@ -122,17 +118,16 @@ struct LaneBodyInput {
 };
 
 /// The roots of the inverse masses of the bodies of a batch.
-template <typename Number>
 struct LaneRoots {
-  Number a[3][lane_count];  // of the first bodies
-  Number b[3][lane_count];  // of the second bodies
+  float a[3][lane_count];  // of the first bodies
+  float b[3][lane_count];  // of the second bodies
 };
 
 /// What filling the lanes of a batch reads.
-template <typename Real, typename Number>
+template <typename Real>
 struct LaneFilling {
   LaneBodyInput<Real> bodies;            // of the blocks
-  LaneRoots<Number> roots;               // of the same
+  LaneRoots roots;                       // of the same
   LaneInput<Real> rows[most_lane_rows];  // the first row_count are in use
   int row_count = 0;                     // in each block
   Real relaxation = 1;                   // omega

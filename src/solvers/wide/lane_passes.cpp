@@ -48,7 +48,7 @@ LaneSteps<Real> LaneSystem<Real>::gather_momentum(VelocityProblem<Real>& problem
   before_.bodies = bodies_;
   momentum_ = momentum;
   if (momentum > 0) return pass<LanePass::momentum>(problem);
-  before_.rows.assign(rows_.size(), LaneImpulse<Number>{});
+  before_.rows.assign(rows_.size(), LaneImpulse{});
   for (int i = 0; i < rows_.size(); ++i) std::copy_n(rows_[i].impulse, lane_count, before_.rows[i].impulse);
   before_.singles.clear();
   for (const int i : batches_.single_rows()) before_.singles.push_back(problem.impulse[i]);
@@ -102,7 +102,7 @@ template <Scalar Real>
 template <LanePass kind>
 LaneSteps<Real> LaneSystem<Real>::pass_batches(VelocityProblem<Real>& problem, int first, int last,
                                                int number, SolveObserver<Real>* watcher) {
-  LaneProblem<Number> lanes = lane_problem();
+  LaneProblem lanes = lane_problem();
   if (watcher != nullptr) {
     for (int i = first; i < last; ++i) {
       code_.pass(lanes, kind, i, i + 1);
@@ -121,15 +121,15 @@ LaneSteps<Real> LaneSystem<Real>::pass_batches(VelocityProblem<Real>& problem, i
 }
 
 template <Scalar Real>
-LaneProblem<typename LaneSystem<Real>::Number> LaneSystem<Real>::lane_problem() {
+LaneProblem LaneSystem<Real>::lane_problem() {
   return {.batches = batches_.batches().data(),
           .kinds = batches_.kinds().data(),
           .couplings = couplings_.data(),
           .rows = rows_.data(),
           .bodies = bodies_.data(),
           .before = before_.rows.data(),
-          .relaxation = static_cast<Number>(relaxation_),
-          .momentum = static_cast<Number>(momentum_)};
+          .relaxation = static_cast<float>(relaxation_),
+          .momentum = static_cast<float>(momentum_)};
 }
 
 /// In the problem's own precision, but for the velocities' changes. Impulses are those of the problem.
@@ -170,7 +170,7 @@ Real LaneSystem<Real>::single_row_velocity(const VelocityProblem<Real>& problem,
                                            const ConstraintRow<Real>& row) const {
   Real jv = 0;
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    const Number(&change)[4] = bodies_[body].numbers;
+    const float(&change)[4] = bodies_[body].numbers;
     for (int axis = 0; axis < 3; ++axis) {
       jv += jacobian(axis) *
             (from_.velocity[body](axis) + from_.root[body](axis) * static_cast<Real>(change[axis]));
@@ -183,10 +183,10 @@ template <Scalar Real>
 void LaneSystem<Real>::apply_single_row(const VelocityProblem<Real>& problem, const ConstraintRow<Real>& row,
                                         Real step) {
   for_each_term(problem, row, [&](BodyId body, const Vec3<Real>& jacobian) {
-    Number(&change)[4] = bodies_[body].numbers;
+    float(&change)[4] = bodies_[body].numbers;
     for (int axis = 0; axis < 3; ++axis) {
-      change[axis] = static_cast<Number>(static_cast<Real>(change[axis]) +
-                                         from_.root[body](axis) * jacobian(axis) * step);
+      change[axis] = static_cast<float>(static_cast<Real>(change[axis]) +
+                                        from_.root[body](axis) * jacobian(axis) * step);
     }
   });
 }
@@ -252,6 +252,5 @@ Real LaneSystem<Real>::residual(VelocityProblem<Real>& problem, Real scale, Lane
 
 template class LaneSystem<float>;
 template class LaneSystem<double>;
-template class LaneSystem<long double>;
 
 }  // namespace cairn

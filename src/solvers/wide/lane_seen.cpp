@@ -129,12 +129,9 @@ std::uint64_t LaneBatches::seen_kind(const VelocityProblem<Real>& problem, const
 
 template bool LaneBatches::arrange_contacts(const VelocityProblem<float>&);
 template bool LaneBatches::arrange_contacts(const VelocityProblem<double>&);
-template bool LaneBatches::arrange_contacts(const VelocityProblem<long double>&);
 template void LaneBatches::arrange(const VelocityProblem<float>&);
 template bool LaneBatches::may_be_same(const VelocityProblem<float>&);
 template void LaneBatches::arrange(const VelocityProblem<double>&);
 template bool LaneBatches::may_be_same(const VelocityProblem<double>&);
-template void LaneBatches::arrange(const VelocityProblem<long double>&);
-template bool LaneBatches::may_be_same(const VelocityProblem<long double>&);
 
 }  // namespace cairn

@@ -19,16 +19,13 @@ LaneSet widest_lane_set() {
 template <typename Real>
 LaneCode<Real> lane_code([[maybe_unused]] LaneSet set) {
 #ifdef __x86_64__
-  if constexpr (!std::same_as<Real, long double>) {
-    if (set == LaneSet::avx512) return avx512_code<Real>();
-    if (set == LaneSet::avx2) return avx2_code<Real>();
-  }
+  if (set == LaneSet::avx512) return avx512_code<Real>();
+  if (set == LaneSet::avx2) return avx2_code<Real>();
 #endif
   return baseline_code<Real>();
 }
 
 template LaneCode<float> lane_code(LaneSet);
 template LaneCode<double> lane_code(LaneSet);
-template LaneCode<long double> lane_code(LaneSet);
 
 }  // namespace cairn

@@ -1,9 +1,6 @@
 // Floor 4. The instruction sets that lanes are compiled for.
 #pragma once
 
-#include <concepts>
-#include <type_traits>
-
 #include "solvers/wide/lane_contact_data.hpp"
 #include "solvers/wide/lane_data.hpp"
 
@@ -21,20 +18,13 @@ bool has(LaneSet set);
 /// The widest set that there is.
 LaneSet widest_lane_set();
 
-/// What the lanes of a problem compute in.
-template <typename Real>
-using LaneNumber = std::conditional_t<std::same_as<Real, long double>, double, float>;
-
 /// The code of one set.
 template <typename Real>
 struct LaneCode {
-  /// Of the lanes.
-  using Number = LaneNumber<Real>;
   /// A pass over batches `first` to `last` - 1.
-  void (*pass)(LaneProblem<Number>& problem, LanePass pass, int first, int last) = nullptr;
+  void (*pass)(LaneProblem& problem, LanePass pass, int first, int last) = nullptr;
   /// Fills the rows of one batch, and the couplings between them.
-  void (*fill)(const LaneFilling<Real, Number>& from, LaneRow<Number>* rows,
-               LaneCoupling<Number>* couplings) = nullptr;
+  void (*fill)(const LaneFilling<Real>& from, LaneRow* rows, LaneCoupling* couplings) = nullptr;
   /// Arms, bias and softness of a batch of contacts, from what was gathered.
   void (*measure_contacts)(const LaneContactInput<Real>& from, const RowRule<Real>& rule,
                            LaneContactBatch<Real>& to) = nullptr;
@@ -48,17 +38,17 @@ struct LaneCode {
                          LaneBody<Real>* bodies, Real* largest) = nullptr;
   /// Fills the rows of a batch of contacts, and the couplings between them.
   void (*fill_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, const LaneBody<Real>* bodies,
-                        const LaneRoots<Number>& roots, Real relaxation, LaneRow<Number>* rows,
-                        LaneCoupling<Number>* couplings) = nullptr;
+                        const LaneRoots& roots, Real relaxation, LaneRow* rows,
+                        LaneCoupling* couplings) = nullptr;
   /// Takes over what sweeps have changed, and gives it to the bodies.
-  void (*empty_contacts)(const LaneRow<Number>* rows, LaneContactBatch<Real>& batch, const LaneBatch& at,
+  void (*empty_contacts)(const LaneRow* rows, LaneContactBatch<Real>& batch, const LaneBatch& at,
                          LaneBody<Real>* bodies) = nullptr;
   /// Adds one of the two sums of R_E [J] to those of each lane.
   void (*weigh_contacts)(const LaneContactBatch<Real>& batch, const LaneBatch& at,
                          const LaneBody<Real>* bodies, LaneEnergy kind, Real* squares) = nullptr;
 };
 
-/// That of a set that has() knows; for long double there is the baseline only.
+/// That of a set that has() knows.
 template <typename Real>
 LaneCode<Real> lane_code(LaneSet set);
 

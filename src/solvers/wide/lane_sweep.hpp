@@ -8,18 +8,17 @@ namespace cairn {
 namespace {
 
 /// The impulse inside its bounds: a NaN stays a NaN, as in Bounds::clamp.
-template <int bytes, typename Number, typename Numbers>
-inline Numbers clamped(Numbers impulse, const LaneRow<Number>& row, LaneKind kind,
-                       const LaneRow<Number>* block, int lane) {
+template <int bytes, typename Numbers>
+inline Numbers clamped(Numbers impulse, const LaneRow& row, LaneKind kind, const LaneRow* block, int lane) {
   if (kind.bounds == LaneBounds::none) return impulse;
   Numbers lower = load<Numbers>(row.lower + lane);
   if (kind.bounds == LaneBounds::lower) return impulse < lower ? lower : impulse;
   Numbers upper = load<Numbers>(row.upper + lane);
   if (kind.bounds != LaneBounds::both) {
-    const LaneRow<Number>& normal = block[kind.normal];
+    const LaneRow& normal = block[kind.normal];
     Numbers load_change = load<Numbers>(normal.scale + lane) * load<Numbers>(normal.impulse + lane);
     if (kind.bounds == LaneBounds::friction_of_two) {
-      const LaneRow<Number>& second = block[kind.second_normal];
+      const LaneRow& second = block[kind.second_normal];
       load_change = load_change + load<Numbers>(second.scale + lane) * load<Numbers>(second.impulse + lane);
     }
     const Numbers change = load<Numbers>(row.friction + lane) * load_change;
@@ -31,8 +30,8 @@ inline Numbers clamped(Numbers impulse, const LaneRow<Number>& row, LaneKind kin
 }
 
 /// j v of a row at the bodies' changes.
-template <typename Number, typename Numbers>
-inline Numbers lane_velocity(const LaneRow<Number>& row, int lane, const Numbers* a, const Numbers* b) {
+template <typename Numbers>
+inline Numbers lane_velocity(const LaneRow& row, int lane, const Numbers* a, const Numbers* b) {
   const Numbers of_a = load<Numbers>(row.jacobian_a[0] + lane) * a[0] +
                        load<Numbers>(row.jacobian_a[1] + lane) * a[1] +
                        load<Numbers>(row.jacobian_a[2] + lane) * a[2];
@@ -60,11 +59,11 @@ inline LaneKind kind_of_row(const LaneKind* kinds, int row) {
 
 /// A row of each block in its turn. It does not wait for velocities: what rows of its block before it have
 /// done to them comes by way of A.
-template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename Number, typename Numbers>
-[[gnu::always_inline]] inline void update_row(LaneProblem<Number>& problem, const LaneBatch& batch, int lane,
+template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename Numbers>
+[[gnu::always_inline]] inline void update_row(LaneProblem& problem, const LaneBatch& batch, int lane,
                                               LaneWork<rows, Numbers>& at) {
-  LaneRow<Number>* const block = problem.rows + batch.first_row;
-  LaneRow<Number>& row = block[i];
+  LaneRow* const block = problem.rows + batch.first_row;
+  LaneRow& row = block[i];
   const LaneKind kind = kind_of_row<is_contact>(problem.kinds + batch.first_kind, i);
   const Numbers old = load<Numbers>(row.impulse + lane);
   if constexpr (pass == LanePass::weigh) {
@@ -72,13 +71,13 @@ template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename N
     at.squares = at.squares + error * error;
     return;
   }
-  const LaneCoupling<Number>* const coupling = problem.couplings + batch.first_coupling + i * (i - 1) / 2;
+  const LaneCoupling* const coupling = problem.couplings + batch.first_coupling + i * (i - 1) / 2;
   for (int k = 0; k < i; ++k) {
     at.corrective[i] = at.corrective[i] - load<Numbers>(coupling[k].entry + lane) * at.change[k];
   }
   Numbers step = at.corrective[i];
   if constexpr (pass == LanePass::momentum) {
-    Number* const before = problem.before[batch.first_row + i].impulse + lane;
+    float* const before = problem.before[batch.first_row + i].impulse + lane;
     step = problem.momentum * (old - load<Numbers>(before));
     store(old, before);
   }
@@ -92,8 +91,8 @@ template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename N
 }
 
 /// Row after row, from i on.
-template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename Number, typename Numbers>
-[[gnu::always_inline]] inline void update_rows(LaneProblem<Number>& problem, const LaneBatch& batch, int lane,
+template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename Numbers>
+[[gnu::always_inline]] inline void update_rows(LaneProblem& problem, const LaneBatch& batch, int lane,
                                                LaneWork<rows, Numbers>& at) {
   update_row<bytes, pass, is_contact, i>(problem, batch, lane, at);
   if constexpr (i + 1 < rows) update_rows<bytes, pass, is_contact, i + 1>(problem, batch, lane, at);
@@ -101,13 +100,13 @@ template <int bytes, LanePass pass, bool is_contact, int i, int rows, typename N
 
 /// Algorithm 1, the momentum before it, or what R_E sums up, for one batch, from `lane` on, as many lanes as
 /// fit into a register.
-template <int bytes, int rows, LanePass pass, bool is_contact, typename Number>
-inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, int lane) {
-  typedef typename Register<Number, bytes>::Numbers Numbers;
+template <int bytes, int rows, LanePass pass, bool is_contact>
+inline void update_lanes(LaneProblem& problem, const LaneBatch& batch, int lane) {
+  typedef typename Register<float, bytes>::Numbers Numbers;
   LaneWork<rows, Numbers> at;
   read_bodies<bytes>(problem.bodies, batch.body_a + lane, at.a);
   read_bodies<bytes>(problem.bodies, batch.body_b + lane, at.b);
-  const LaneRow<Number>* const block = problem.rows + batch.first_row;
+  const LaneRow* const block = problem.rows + batch.first_row;
   for (int i = 0; i < rows; ++i) {
     const Numbers lacking = load<Numbers>(block[i].lacking + lane) -
                             lane_velocity(block[i], lane, at.a, at.b) -
@@ -132,15 +131,15 @@ inline void update_lanes(LaneProblem<Number>& problem, const LaneBatch& batch, i
   write_moving_bodies<bytes>(at.b, problem.bodies, batch.body_b + lane, batch.moves_b >> lane);
 }
 
-template <int bytes, int rows, LanePass pass, bool is_contact, typename Number>
-inline void update_batch(LaneProblem<Number>& problem, const LaneBatch& batch) {
-  for (int lane = 0; lane < batch.used; lane += Register<Number, bytes>::count) {
+template <int bytes, int rows, LanePass pass, bool is_contact>
+inline void update_batch(LaneProblem& problem, const LaneBatch& batch) {
+  for (int lane = 0; lane < batch.used; lane += Register<float, bytes>::count) {
     update_lanes<bytes, rows, pass, is_contact>(problem, batch, lane);
   }
 }
 
-template <int bytes, LanePass pass, typename Number>
-inline void pass_batches(LaneProblem<Number>& problem, int first, int last) {
+template <int bytes, LanePass pass>
+inline void pass_batches(LaneProblem& problem, int first, int last) {
   static_assert(most_lane_rows == 6);
   for (int i = first; i < last; ++i) {
     const LaneBatch& batch = problem.batches[i];
@@ -160,8 +159,8 @@ inline void pass_batches(LaneProblem<Number>& problem, int first, int last) {
 }
 
 /// Batches from first to last - 1.
-template <int bytes, typename Number>
-inline void pass_batches(LaneProblem<Number>& problem, LanePass pass, int first, int last) {
+template <int bytes>
+inline void pass_batches(LaneProblem& problem, LanePass pass, int first, int last) {
   if (pass == LanePass::momentum) {
     pass_batches<bytes, LanePass::momentum>(problem, first, last);
   } else if (pass == LanePass::weigh) {

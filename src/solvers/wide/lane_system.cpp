@@ -110,7 +110,7 @@ void LaneSystem<Real>::take(const VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::begin_changes(const VelocityProblem<Real>& problem) {
   from_.velocity = problem.velocity;
-  bodies_.assign(problem.velocity.size() + 1, LaneBody<Number>{});
+  bodies_.assign(problem.velocity.size() + 1, LaneBody<float>{});
   from_.impulse = problem.impulse;
   take_single_rows(problem);
 }
@@ -158,14 +158,14 @@ void LaneSystem<Real>::take_single_rows(const VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::take_batch_bodies(const LaneBatch& batch) {
   LaneBodyInput<Real>& to = filling_.bodies;
-  LaneRoots<Number>& roots = filling_.roots;
+  LaneRoots& roots = filling_.roots;
   for (int lane = 0; lane < batch.used; ++lane) {
     const BodyId a = {batch.body_a[lane]}, b = {batch.body_b[lane]};
     for (int axis = 0; axis < 3; ++axis) {
       to.velocity_a[axis][lane] = from_.velocity[a](axis);
       to.velocity_b[axis][lane] = from_.velocity[b](axis);
-      roots.a[axis][lane] = static_cast<Number>(from_.root[a](axis));
-      roots.b[axis][lane] = static_cast<Number>(from_.root[b](axis));
+      roots.a[axis][lane] = static_cast<float>(from_.root[a](axis));
+      roots.b[axis][lane] = static_cast<float>(from_.root[b](axis));
     }
   }
 }
@@ -202,7 +202,7 @@ template <Scalar Real>
 Real LaneSystem<Real>::written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int r,
                                     int lane) const {
   const int i = batch.block_row[lane] + r;
-  const LaneRow<Number>& row = rows_[batch.first_row + r];
+  const LaneRow& row = rows_[batch.first_row + r];
   const Real change = static_cast<Real>(row.scale[lane]) * static_cast<Real>(row.impulse[lane]);
   return problem.rows[i].bounds.clamp(from_.impulse[i] + change, problem.impulse);
 }
@@ -237,7 +237,7 @@ void LaneSystem<Real>::empty_rows(VelocityProblem<Real>& problem, const LaneBatc
 
 template <Scalar Real>
 bool LaneSystem<Real>::is_worth_taking(Real change, Real path) const {
-  if (!(path > 0) || !(change <= 1024 * static_cast<Real>(std::numeric_limits<Number>::epsilon()) * path))
+  if (!(path > 0) || !(change <= 1024 * static_cast<Real>(std::numeric_limits<float>::epsilon()) * path))
     return false;
   Real largest = 0;
   for (const Real impulse : from_.impulse) largest = std::max(largest, std::abs(impulse));
@@ -254,6 +254,5 @@ std::size_t LaneSystem<Real>::bytes() const {
 
 template class LaneSystem<float>;
 template class LaneSystem<double>;
-template class LaneSystem<long double>;
 
 }  // namespace cairn

@@ -28,15 +28,13 @@ struct LaneSteps {
 /// How to look at an answer.
 enum class LaneLook { rough, exact };
 
-/// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision, those of
-/// a problem in long double in double; but all that they hold are changes since the problem was taken over,
+/// The rows of a problem in lanes, and those that fit into none. Lanes compute in single precision; but
+/// all that they hold are changes since the problem was taken over,
 /// whose numbers stay in its own precision. So what is lost is a part of a change, and taking over the
 /// problem again, with these changes in it, loses nothing but a part of the next ones.
 template <Scalar Real>
 class LaneSystem {
  public:
-  /// What lanes compute in.
-  using Number = LaneNumber<Real>;
   /// Batches of one colour: fewer are sooner done by one thread. Sharing takes 0.6 us, and a microsecond more
   /// goes by while threads pass on bodies; 57 batches took one thread 6.5 us, and two 6.
   static constexpr int fewest_to_share = 48;
@@ -96,8 +94,8 @@ class LaneSystem {
   };
   /// Where the sweep began.
   struct Before {
-    List<LaneImpulse<Number>> rows;
-    PerBody<LaneBody<Number>> bodies;
+    List<LaneImpulse> rows;
+    PerBody<LaneBody<float>> bodies;
     List<Real> singles;  // [N s]
   };
 
@@ -130,20 +128,20 @@ class LaneSystem {
                    SolveObserver<Real>& observer) const;
   Real energy(const VelocityProblem<Real>& problem, LaneEnergy kind);
   Real written_back(const VelocityProblem<Real>& problem, const LaneBatch& batch, int row, int lane) const;
-  LaneProblem<Number> lane_problem();
+  LaneProblem lane_problem();
 
   LaneCode<Real> code_;
   Real relaxation_;  // omega
   LaneBatches batches_;
   LaneContacts<Real> contacts_;  // without rows
-  List<LaneRow<Number>> rows_;
-  List<LaneCoupling<Number>> couplings_;
-  PerBody<LaneBody<Number>> bodies_;  // and one that nothing moves
+  List<LaneRow> rows_;
+  List<LaneCoupling> couplings_;
+  PerBody<LaneBody<float>> bodies_;  // and one that nothing moves
   TakenOver from_;
   Singles single_;
   Before before_;
-  Real momentum_ = 0;                       // of the pass that gathers it
-  LaneFilling<Real, Number> filling_ = {};  // scratch, for one batch
+  Real momentum_ = 0;               // of the pass that gathers it
+  LaneFilling<Real> filling_ = {};  // scratch, for one batch
   LaneThreads threads_;
   List<LaneSteps<Real>> sums_;  // scratch, of batches_in_a_sum each
 };

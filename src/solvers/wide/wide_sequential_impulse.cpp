@@ -91,6 +91,5 @@ void WideSequentialImpulse<Real>::accept_or_undo(VelocityProblem<Real>& problem,
 
 template class WideSequentialImpulse<float>;
 template class WideSequentialImpulse<double>;
-template class WideSequentialImpulse<long double>;
 
 }  // namespace cairn

@@ -18,7 +18,7 @@ enum class Momentum {
 /// processor's widest registers (lane_batches.hpp says which blocks do not). The order of the rows inside a
 /// block is as written; RowOrder is not looked at.
 ///
-/// Lanes compute in single precision, in double for problems in long double, and hold nothing but changes
+/// Lanes compute in single precision, and hold nothing but changes
 /// since the warm start (lane_system.hpp). Where what is left to change is small beside what has changed,
 /// impulses go back into the problem, velocities are computed from them in its own precision, and lanes begin
 /// again: as iterative refinement does (J. H. Wilkinson, Rounding Errors in Algebraic Processes, 1963). So

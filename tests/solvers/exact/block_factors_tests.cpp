@@ -53,7 +53,7 @@ struct BlocksToFactor {
   Matrix<double> full;
   Vector<double> sides;
   List<std::pair<int, int>> pairs;
-  BlockFactors<double> factors;
+  BlockFactors factors;
 };
 
 }  // namespace
@@ -83,7 +83,7 @@ TEST_CASE("a chain keeps one pair of blocks a joint, whatever the numbers of its
     pairs.emplace_back(std::min(a, b), std::max(a, b));
   }
   std::sort(pairs.begin(), pairs.end());
-  BlockFactors<double> factors;
+  BlockFactors factors;
   factors.begin(bodies, pairs);
   // A pair as given, its second body, and the same seen from there; of a body its place, the place's body,
   // two beginnings and a mark.
@@ -97,7 +97,7 @@ TEST_CASE("factors that would take too much memory are refused, and the next one
   for (int a = 0; a < bodies; ++a) {
     for (int b = a + 1; b < bodies; ++b) pairs.emplace_back(a, b);
   }
-  BlockFactors<double> factors;
+  BlockFactors factors;
   for (int again = 0; again < 2; ++again) CHECK_THROWS_AS(factors.begin(bodies, pairs), std::length_error);
   factors.begin(2, {{0, 1}});
   factors.set_identity(true);

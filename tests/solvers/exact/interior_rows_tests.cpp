@@ -37,9 +37,9 @@ PerRow<double> impulses_after(const VelocityProblem<double>& problem, int steps)
   ProximalRows<double> rows;
   rows.begin(problem);
   rows.center_at(problem.impulse);
-  InteriorRows<double> interior;
+  InteriorRows interior;
   REQUIRE(interior.begin(rows, rows.error_of_a_row()));
-  SlopeFactors<double> factors;
+  SlopeFactors factors;
   factors.begin();
   Vector<double> change;
   PerRow<double> impulse;
@@ -85,7 +85,7 @@ TEST_CASE("equalities and upper bounds have a way through the interior, rows wit
   ProximalRows<double> rows;
   rows.begin(problem);
   rows.center_at(problem.impulse);
-  InteriorRows<double> interior;
+  InteriorRows interior;
   CHECK_FALSE(interior.begin(rows, 1e-3));
 }
 

@@ -99,8 +99,7 @@ double largest_energy_of_pendulum(double inertia) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("one pin, one weld and one soft weld are satisfied after one sweep", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("one pin, one weld and one soft weld are satisfied after one sweep", Real, float, double) {
   for (const int rows : {2, 3}) {
     for (const Real softness : {Real(0), Real(0.5)}) {
       VelocityProblem<Real> problem = two_joined_bodies<Real>(rows);
@@ -117,7 +116,7 @@ TEST_CASE_TEMPLATE("one pin, one weld and one soft weld are satisfied after one 
 }
 
 TEST_CASE_TEMPLATE("two equality rows side by side are solved to the bits of a block of any size", Real,
-                   float, double, long double) {
+                   float, double) {
   for (const Real softness : {Real(0), Real(0.5)}) {
     VelocityProblem<Real> problem = two_joined_bodies<Real>(2);
     for (ConstraintRow<Real>& row : problem.rows) row.softness = softness;
@@ -139,8 +138,7 @@ TEST_CASE_TEMPLATE("two equality rows side by side are solved to the bits of a b
   }
 }
 
-TEST_CASE_TEMPLATE("whoever watches the rows of pins sees what they are without him", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("whoever watches the rows of pins sees what they are without him", Real, float, double) {
   struct Watcher final : SolveObserver<Real> {
     bool watches_rows() const override { return true; }
   } watcher;
@@ -220,7 +218,7 @@ TEST_CASE("blocks help an oblique chain; where the rows of a pin do not couple, 
 }
 
 TEST_CASE_TEMPLATE("rows that are alone in their blocks are those of SI, to the last bit", Real, float,
-                   double, long double) {
+                   double) {
   const SolverSettings settings{.iterations = 30, .order = RowOrder::alternating, .relaxation = 1.2};
   VelocityProblem<Real> expected = hand_made_stack<Real>(10, 10, Real(0.02));
   VelocityProblem<Real> problem = expected;
@@ -229,8 +227,7 @@ TEST_CASE_TEMPLATE("rows that are alone in their blocks are those of SI, to the 
   CHECK(problem.impulse == expected.impulse);
 }
 
-TEST_CASE_TEMPLATE("redundant rows in a block are visited one by one: the bits of SI", Real, float, double,
-                   long double) {
+TEST_CASE_TEMPLATE("redundant rows in a block are visited one by one: the bits of SI", Real, float, double) {
   VelocityProblem<Real> problem = two_joined_bodies<Real>(3);
   problem.rows.push_back(problem.rows[1]);  // four rows of rank three, with the same bias
   problem.blocks = {{0, 4}};

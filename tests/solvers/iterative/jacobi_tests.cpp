@@ -47,7 +47,7 @@ SolverMaker<double> gauss_seidel() { return maker<SequentialImpulse<double>, dou
 }  // namespace
 
 TEST_CASE_TEMPLATE("Jacobi passes a weight on by one box a sweep: (10, 0, 0), (10, 5, 0), (15, 5, 2.5)", Real,
-                   float, double, long double) {
+                   float, double) {
   VelocityProblem<Real> problem = hand_made_stack<Real>(3, 10, 1);  // m g dt = 10 N s
   ImpulseTrace<Real> trace;
   Jacobi<Real>({.iterations = 3}).solve(problem, &trace);
@@ -69,7 +69,7 @@ TEST_CASE(
 }
 
 TEST_CASE_TEMPLATE("a box on three feet: plain Jacobi flips for ever between 27/11 of its weight and nothing",
-                   Real, float, double, long double) {
+                   Real, float, double) {
   VelocityProblem<Real> problem = box_on_three_feet<Real>();
   ImpulseTrace<Real> trace;
   Jacobi<Real>({.iterations = 1000}).solve(problem, &trace);
