@@ -42,7 +42,7 @@ struct ContactRows {
   const Contact<Real>& contact;
   VelocityProblem<Real>& problem;
   int& next;
-  List<RelaxedRow<Real>>* relaxed;
+  List<SecondRow<Real>>* second_rows;
 
   ConstraintRow<Real>& add(const Vec2<Real>& point, const Vec2<Real>& direction, std::uint64_t part) {
     if (next == problem.row_count()) problem.rows.emplace_back();
@@ -65,14 +65,14 @@ struct ContactRows {
     row.bounds = Bounds<Real>::unilateral();
     const bool on_spring = rule.has_springs && !(point.separation >= 0) && !contact.rigid[i];
     const Real rebound = rule.only_corrects ? Real(0) : contact.rebound[i];
-    const auto bias = [&](bool relaxes) {
-      return contact_bias(rule, point.separation, contact.slop_limit, rebound, on_spring, relaxes);
+    const auto bias = [&](bool is_second) {
+      return contact_bias(rule, point.separation, contact.slop_limit, rebound, on_spring, is_second);
     };
-    row.bias = bias(problem.relaxes);
-    if (on_spring && !problem.relaxes)
+    row.bias = bias(problem.is_second);
+    if (on_spring && !problem.is_second)
       row.softness = spring_softness(rule, inverse_effective_mass(problem, row));
     if (rule.only_corrects) row.bias -= row_velocity(problem, row);
-    if (relaxed) relaxed->push_back({.bias = bias(true)});
+    if (second_rows) second_rows->push_back({.bias = bias(true)});
     return next - 1;
   }
   void add_friction(const Vec2<Real>& point, std::uint32_t feature, int normal_row, int second) {
@@ -80,7 +80,7 @@ struct ContactRows {
     add(point, tangent, friction_part(feature)).bounds =
         problem.rule.only_corrects ? Bounds<Real>::at_most(0)
                                    : Bounds<Real>::coulomb(contact.friction, normal_row, second);
-    if (relaxed) relaxed->push_back({});
+    if (second_rows) second_rows->push_back({});
   }
 };
 
@@ -136,10 +136,10 @@ void add_contact_blocks(VelocityProblem<Real>& problem, int& next) {
 
 template <Scalar Real>
 void write_contact_rows(const Contact<Real>& contact, VelocityProblem<Real>& problem, int& next,
-                        List<RelaxedRow<Real>>* relaxed) {
+                        List<SecondRow<Real>>* second_rows) {
   const int count = contact_row_count(contact, problem);
   if (count == 0) return;
-  ContactRows<Real> rows{contact, problem, next, relaxed};
+  ContactRows<Real> rows{contact, problem, next, second_rows};
   const auto& points = contact.manifold.points;
   const bool per_point = count == 2 * contact.manifold.count;
   int normal_rows[2] = {Bounds<Real>::none, Bounds<Real>::none};
@@ -154,10 +154,11 @@ void write_contact_rows(const Contact<Real>& contact, VelocityProblem<Real>& pro
 }
 
 template <Scalar Real>
-void write_contact_rows(VelocityProblem<Real>& problem, List<RelaxedRow<Real>>* relaxed) {
+void write_contact_rows(VelocityProblem<Real>& problem, List<SecondRow<Real>>* second_rows) {
   int next = problem.joint_rows();
   make_room(problem.rows, problem.rows_in(problem.blocks.size()));
-  for (const Contact<Real>& contact : problem.contacts) write_contact_rows(contact, problem, next, relaxed);
+  for (const Contact<Real>& contact : problem.contacts)
+    write_contact_rows(contact, problem, next, second_rows);
   problem.rows.resize(next);
 }
 
@@ -166,14 +167,14 @@ template std::uint64_t contact_part(const Manifold<float>&, int, int);
 template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
 template void add_contact_blocks(VelocityProblem<float>&, int&);
 template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&,
-                                 List<RelaxedRow<float>>*);
-template void write_contact_rows(VelocityProblem<float>&, List<RelaxedRow<float>>*);
+                                 List<SecondRow<float>>*);
+template void write_contact_rows(VelocityProblem<float>&, List<SecondRow<float>>*);
 template int contact_row_count(const Contact<double>&, const VelocityProblem<double>&);
 template std::uint64_t contact_part(const Manifold<double>&, int, int);
 template void meet(Contact<double>&, const PerBody<Vec3<double>>&, double, const VelocityProblem<double>&);
 template void add_contact_blocks(VelocityProblem<double>&, int&);
 template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&,
-                                 List<RelaxedRow<double>>*);
-template void write_contact_rows(VelocityProblem<double>&, List<RelaxedRow<double>>*);
+                                 List<SecondRow<double>>*);
+template void write_contact_rows(VelocityProblem<double>&, List<SecondRow<double>>*);
 
 }  // namespace cairn

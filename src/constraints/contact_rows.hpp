@@ -43,14 +43,14 @@ void add_contact_blocks(VelocityProblem<Real>& problem, int& next);
 /// spring_softness(), by the problem's rule. Source: E. Catto, Iterative Dynamics with Temporal Coherence
 /// (2005).
 ///
-/// Rows go over those from `next` on; `next` is then the row behind them. Behind `relaxed` comes what each is
-/// in a second solve; null: nobody asks.
+/// Rows go over those from `next` on; `next` is then the row behind them. Behind `second_rows` comes what
+/// each is in a second solve; null: nobody asks.
 template <Scalar Real>
 void write_contact_rows(const Contact<Real>& contact, VelocityProblem<Real>& problem, int& next,
-                        List<RelaxedRow<Real>>* relaxed = nullptr);
+                        List<SecondRow<Real>>* second_rows = nullptr);
 
 /// Writes the rows of all contacts of a problem behind those of its joints. Twice is the same as once.
 template <Scalar Real>
-void write_contact_rows(VelocityProblem<Real>& problem, List<RelaxedRow<Real>>* relaxed = nullptr);
+void write_contact_rows(VelocityProblem<Real>& problem, List<SecondRow<Real>>* second_rows = nullptr);
 
 }  // namespace cairn

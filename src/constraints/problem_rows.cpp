@@ -82,8 +82,8 @@ void ProblemRows<Real>::add(const RigidRow<Real>& row) {
   to.bias = speed - row.error * error_rate(rule, rule.has_springs);
   if (rule.has_springs)
     to.softness = spring_softness(rule, carried_inverse_mass<Real>(row, problem.inverse_mass));
-  if (writing_.relaxed)
-    writing_.relaxed->push_back({speed - row.error * error_rate(writing_.second_rule, false), 0});
+  if (writing_.second_rows)
+    writing_.second_rows->push_back({speed - row.error * error_rate(writing_.second_rule, false), 0});
 }
 
 template <Scalar Real>
@@ -111,11 +111,10 @@ void ProblemRows<Real>::add(const RowSpec<Real>& spec) {
                                                      ? carried_inverse_mass(spec, problem.inverse_mass)
                                                      : inverse_effective_mass(problem, to));
   }
-  if (!writing_.relaxed) return;
-  writing_.relaxed->push_back(
-      spec.softness
-          ? RelaxedRow<Real>{to.bias, to.softness}
-          : RelaxedRow<Real>{bias_velocity(spec, speed, writing_.second_rule, problem.velocity), 0});
+  if (!writing_.second_rows) return;
+  writing_.second_rows->push_back(
+      spec.softness ? SecondRow<Real>{to.bias, to.softness}
+                    : SecondRow<Real>{bias_velocity(spec, speed, writing_.second_rule, problem.velocity), 0});
 }
 
 /// Over an old row where there is one, so every member is set: as of a rigid equality, but for its bias.

@@ -41,9 +41,9 @@ struct RowWriting {
   int& next;                       // the row that is written next, over an old one where there is one
   RowRule<Real> rule = {};         // of the joint's spring
   RowRule<Real> second_rule = {};  // in a second solve
-  List<RelaxedRow<Real>>* relaxed = nullptr;  // for what rows are in that; null: there is none
-  const Arcs<Real>* arcs = nullptr;           // null: nobody follows them
-  const PerBody<Real>* radius = nullptr;      // [m] of circles around bodies; null: no joint is ever apart
+  List<SecondRow<Real>>* second_rows = nullptr;  // for what rows are in that; null: there is none
+  const Arcs<Real>* arcs = nullptr;              // null: nobody follows them
+  const PerBody<Real>* radius = nullptr;         // [m] of circles around bodies; null: no joint is ever apart
 };
 
 /// Writes the rows of one joint: with their bias (7) and softness, the force of a motor as an impulse, and

@@ -123,7 +123,7 @@ struct ConstraintRow {
 
 /// What a row is in the second solve of the policies relaxed and soft.
 template <Scalar Real>
-struct RelaxedRow {
+struct SecondRow {
   Real bias = 0;      // [m/s or rad/s]
   Real softness = 0;  // [1/kg]
 };
@@ -170,7 +170,7 @@ struct VelocityProblem {
   List<Contact<Real>> contacts = {};                     // of the last blocks; none where it was made by hand
   RowRule<Real> rule = {};                               // how errors of contacts go
   FrictionRows friction_rows = FrictionRows::per_point;  // of contacts
-  bool relaxes = false;                   // the second solve: of what contacts ask for only rebounds stay
+  bool is_second = false;                 // the second solve: of what contacts ask for only rebounds stay
   PerBody<Vec3<Real>> inverse_mass = {};  // n, the diagonal of M^-1 (2)
   PerBody<Vec3<Real>> velocity = {};      // n; in: v_1 with gravity already applied; out: v_2 (11)
   PerRow<Real> impulse = {};              // m [N s]; in: warm start; out: the answer

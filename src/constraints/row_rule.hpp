@@ -51,11 +51,11 @@ template <typename Real>
 /// solve only the rebound is asked for, and room may be used.
 template <typename Real>
 [[gnu::always_inline]] inline Real contact_bias(const RowRule<Real>& rule, Real separation, Real slop_limit,
-                                                Real rebound, bool on_spring, bool relaxes) {
+                                                Real rebound, bool on_spring, bool is_second) {
   const Real bias = pushing_bias(rule, separation, slop_limit, on_spring);
-  const Real relaxed = bias > 0 ? Real(0) : bias;
-  const Real wish = relaxes ? relaxed : bias;
-  return rebound > 0 && (relaxes || wish < rebound) ? rebound : wish;
+  const Real only_room = bias > 0 ? Real(0) : bias;
+  const Real wish = is_second ? only_room : bias;
+  return rebound > 0 && (is_second || wish < rebound) ? rebound : wish;
 }
 
 /// gamma [1/kg] of a row on a spring of the rule that carries this [1/kg].

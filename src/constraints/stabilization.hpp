@@ -25,7 +25,7 @@ enum class StabilizationPolicy {
 /// Which velocities a row is written for.
 enum class StabilizationPass {
   velocity,  // those of the step
-  relax,     // of the policies relaxed and soft: those that stay once positions have moved
+  second,    // of the policies relaxed and soft: those that stay once positions have moved
   position,  // of the policy split_impulse: those that only correct positions
 };
 

@@ -32,7 +32,7 @@ void JointWriter<Real>::add_stiffness(const Substep<Real>& step, ForcesOf when,
 
 template <Scalar Real>
 int JointWriter<Real>::write(const Substep<Real>& step, StabilizationPass pass,
-                             VelocityProblem<Real>& problem, int& next, List<RelaxedRow<Real>>* relaxed) {
+                             VelocityProblem<Real>& problem, int& next, List<SecondRow<Real>>* second_rows) {
   if (step.joint_count() == 0) return 0;
   if (step.plan.follows_arcs) look_along_arcs(step);
   const Placements<Real> at(step.state.pose, rotations_);
@@ -40,14 +40,14 @@ int JointWriter<Real>::write(const Substep<Real>& step, StabilizationPass pass,
   RowWriting<Real> writing{.begin = step.state,
                            .problem = problem,
                            .next = next,
-                           .relaxed = relaxed,
+                           .second_rows = second_rows,
                            .arcs = step.plan.follows_arcs ? &arcs : nullptr,
                            .radius = radius_.get()};
   Stabilization stabilization = step.plan.settings.stabilization;
   const auto use_spring = [&](const SwingSoftness& spring) {
     stabilization.joint_soft = spring;
     writing.rule = joint_rule(stabilization, pass, step.dt);
-    writing.second_rule = joint_rule(stabilization, StabilizationPass::relax, step.dt);
+    writing.second_rule = joint_rule(stabilization, StabilizationPass::second, step.dt);
   };
   use_spring(stabilization.joint_soft);
   int apart = 0;

@@ -24,11 +24,11 @@ class JointWriter {
   void add_stiffness(const Substep<Real>& step, ForcesOf when, const VelocityProblem<Real>& problem,
                      RowForces<Real>& forces, PerBody<Vec3<Real>>& stiffness);
   /// Puts the rows of all joints that are awake behind row `next` of the problem, which goes on to the one
-  /// behind them, and a block for each joint. What the rows are in a second solve goes into `relaxed`, if it
-  /// is given. How many joints hold points that are too far apart: farther than the circle around the smaller
-  /// body reaches.
+  /// behind them, and a block for each joint. What the rows are in a second solve goes into `second_rows`, if
+  /// it is given. How many joints hold points that are too far apart: farther than the circle around the
+  /// smaller body reaches.
   int write(const Substep<Real>& step, StabilizationPass pass, VelocityProblem<Real>& problem, int& next,
-            List<RelaxedRow<Real>>* relaxed);
+            List<SecondRow<Real>>* second_rows);
   /// Gives the rows what they gave in the last step.
   void start(const Substep<Real>& step, VelocityProblem<Real>& problem, PerRow<char>& is_new) const;
   /// Keeps what the rows gave. What sleeps keeps what it has.

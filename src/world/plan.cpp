@@ -124,7 +124,7 @@ std::string explain(const Plan& plan) {
   text += line("substeps", plan.settings.substeps > 1 ? fmt::format("{} a step", plan.settings.substeps)
                                                       : std::string("left out: one solve a step"));
   std::string second = "left out: positions need none of their own";
-  if (plan.relaxes()) second = "each step is solved again without the speed that removes errors";
+  if (plan.solves_again()) second = "each step is solved again without the speed that removes errors";
   if (plan.second_solve == SecondSolve::positions)
     second = "split impulse: errors are removed apart from the velocities";
   text += line("second solve", second);

@@ -46,7 +46,7 @@ struct Plan {
   bool contacts_without_rows = false;                     // some solvers take them so
 
   /// Whether the second solve is one of velocities.
-  bool relaxes() const {
+  bool solves_again() const {
     return second_solve == SecondSolve::from_start || second_solve == SecondSolve::from_answer;
   }
 };

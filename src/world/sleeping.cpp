@@ -40,9 +40,9 @@ SleepState<Real>::SleepState(const Scene& scene) : settings_(scene.settings().sl
     for (const Shape<double>& shape : body.spec.shapes) owner_.resize(owner_.size() + piece_count(shape), id);
   }
   for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
-    List<BodyId> tied;
-    for (const Attachment& place : joint->attachments()) tied.push_back(place.body);
-    joints_.push_back(tied);
+    List<BodyId> connected;
+    for (const Attachment& place : joint->attachments()) connected.push_back(place.body);
+    joints_.push_back(connected);
   }
   island_.assign(type_.size(), awake);
   still_for_.assign(type_.size(), 0);
@@ -68,18 +68,18 @@ void SleepState<Real>::note_drives(const Scene& scene) {
 /// Calls visit(bodies) for every contact and every joint.
 template <Scalar Real>
 template <typename Visit>
-void SleepState<Real>::for_each_tie(const List<Contact<Real>>& contacts, const Visit& visit) const {
+void SleepState<Real>::for_each_connection(const List<Contact<Real>>& contacts, const Visit& visit) const {
   for (const Contact<Real>& contact : contacts) {
-    const FixedList<BodyId, 2> tied = {contact.a, contact.b};
-    visit(Span<const BodyId>(tied));
+    const FixedList<BodyId, 2> connected = {contact.a, contact.b};
+    visit(Span<const BodyId>(connected));
   }
-  for (const List<BodyId>& tied : joints_) visit(Span<const BodyId>(tied));
+  for (const List<BodyId>& connected : joints_) visit(Span<const BodyId>(connected));
 }
 
 template <Scalar Real>
 bool SleepState<Real>::joint_asleep(int joint) const {
-  const List<BodyId>& tied = joints_[joint];
-  return std::any_of(tied.begin(), tied.end(), [this](BodyId body) { return asleep(body); });
+  const List<BodyId>& connected = joints_[joint];
+  return std::any_of(connected.begin(), connected.end(), [this](BodyId body) { return asleep(body); });
 }
 
 /// Whether it can disturb what it touches: an awake dynamic body, or a kinematic one on its way.
@@ -100,11 +100,11 @@ template <Scalar Real>
 bool SleepState<Real>::wake_touched(const List<Contact<Real>>& contacts,
                                     const PerBody<Vec3<Real>>& velocity) {
   bool found = false;
-  for_each_tie(contacts, [&](Span<const BodyId> tied) {
-    const bool disturbed =
-        std::any_of(tied.begin(), tied.end(), [&](BodyId body) { return disturbs(body, velocity); });
+  for_each_connection(contacts, [&](Span<const BodyId> connected) {
+    const bool disturbed = std::any_of(connected.begin(), connected.end(),
+                                       [&](BodyId body) { return disturbs(body, velocity); });
     if (!disturbed) return;
-    for (const BodyId body : tied) {
+    for (const BodyId body : connected) {
       if (!asleep(body)) continue;
       wake(body);
       found = true;
@@ -147,7 +147,7 @@ void SleepState<Real>::let_sleep(const List<Contact<Real>>& contacts, double dt,
   count_still_time(dt, state);
   for (const BodyId body : parent_.indices()) parent_[body] = body;
   std::fill(held_.begin(), held_.end(), char{0});
-  for_each_tie(contacts, [&](Span<const BodyId> tied) { connect(tied, state.velocity); });
+  for_each_connection(contacts, [&](Span<const BodyId> connected) { connect(connected, state.velocity); });
   find_restless(dt);
   put_to_sleep(state.velocity);
 }
@@ -176,15 +176,17 @@ bool SleepState<Real>::is_still(BodyId body, const BodyState<Real>& state) const
          std::abs(static_cast<double>(velocity.z())) < settings_.angular_speed;
 }
 
-/// Makes one island of the dynamic bodies among those tied; keeps them awake if one moves by a given
+/// Makes one island of the dynamic bodies among those connected; keeps them awake if one moves by a given
 /// velocity.
 template <Scalar Real>
-void SleepState<Real>::connect(Span<const BodyId> tied, const PerBody<Vec3<Real>>& velocity) {
-  const bool carried = std::any_of(
-      tied.begin(), tied.end(), [&](BodyId body) { return !is_dynamic(body) && disturbs(body, velocity); });
-  const bool is_held = !std::all_of(tied.begin(), tied.end(), [&](BodyId body) { return is_dynamic(body); });
+void SleepState<Real>::connect(Span<const BodyId> connected, const PerBody<Vec3<Real>>& velocity) {
+  const bool carried = std::any_of(connected.begin(), connected.end(), [&](BodyId body) {
+    return !is_dynamic(body) && disturbs(body, velocity);
+  });
+  const bool is_held =
+      !std::all_of(connected.begin(), connected.end(), [&](BodyId body) { return is_dynamic(body); });
   BodyId first = awake;
-  for (const BodyId body : tied) {
+  for (const BodyId body : connected) {
     if (!is_dynamic(body)) continue;
     if (carried) still_for_[body] = 0;
     if (is_held) held_[body] = 1;

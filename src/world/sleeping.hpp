@@ -61,13 +61,13 @@ class SleepState {
   static constexpr BodyId awake = {-1};
 
   template <typename Visit>
-  void for_each_tie(const List<Contact<Real>>& contacts, const Visit& visit) const;
+  void for_each_connection(const List<Contact<Real>>& contacts, const Visit& visit) const;
   bool is_dynamic(BodyId body) const { return type_[body] == BodyType::dynamic; }
   bool disturbs(BodyId body, const PerBody<Vec3<Real>>& velocity) const;
   void note_drives(const Scene& scene);
   void count_still_time(double dt, const BodyState<Real>& state);
   bool is_still(BodyId body, const BodyState<Real>& state) const;
-  void connect(Span<const BodyId> tied, const PerBody<Vec3<Real>>& velocity);
+  void connect(Span<const BodyId> connected, const PerBody<Vec3<Real>>& velocity);
   BodyId root_of(BodyId body);
   void find_restless(double dt);
   void put_to_sleep(PerBody<Vec3<Real>>& velocity);

@@ -81,7 +81,7 @@ int TwoSolves<Real>::write(const Parts& parts, ForcesOf when, bool with_rows) {
   record.is_new.resize(rows);
   parts.joints.start(parts.step, problem, record.is_new);
   parts.contacts.start(parts.step, record);
-  if (parts.step.plan.relaxes()) {
+  if (parts.step.plan.solves_again()) {
     first_velocity_ = problem.velocity;
     first_impulse_ = problem.impulse;
   }
@@ -94,22 +94,22 @@ int TwoSolves<Real>::write_rows(const Parts& parts, StabilizationPass pass, bool
                                 VelocityProblem<Real>& problem) {
   const Substep<Real>& step = parts.step;
   const SceneSettings& settings = step.plan.settings;
-  const bool solves_again = step.plan.relaxes() && pass == StabilizationPass::velocity;
-  List<RelaxedRow<Real>>* const relaxed = solves_again ? &relaxed_rows_ : nullptr;
-  relaxed_rows_.clear();
+  const bool solves_again = step.plan.solves_again() && pass == StabilizationPass::velocity;
+  List<SecondRow<Real>>* const second_rows = solves_again ? &second_rows_ : nullptr;
+  second_rows_.clear();
   problem.blocks.clear();
   problem.extra_terms.clear();
   problem.rule = contact_rule(settings.stabilization, pass, step.dt, settings.gravity.norm());
   problem.friction_rows = settings.friction_rows;
-  problem.relaxes = false;
+  problem.is_second = false;
   int next = 0;
-  const int apart = parts.joints.write(step, pass, problem, next, relaxed);
+  const int apart = parts.joints.write(step, pass, problem, next, second_rows);
   problem.rows.resize(next);
   const Real threshold = static_cast<Real>(*settings.restitution_threshold);
   if (step.plan.restitution || problem.rule.has_springs)
     for (Contact<Real>& contact : problem.contacts) meet(contact, step.state.velocity, threshold, problem);
   add_contact_blocks(problem, next);
-  if (with_rows) write_contact_rows(problem, relaxed);
+  if (with_rows) write_contact_rows(problem, second_rows);
   return apart;
 }
 
@@ -135,21 +135,21 @@ const PerBody<Vec3<Real>>& TwoSolves<Real>::solve(const Parts& parts, Solver<Rea
   report.count(report.solve, rows);
   going_ = problem.velocity;
   if (plan.second_solve == SecondSolve::positions) correct_positions(parts, solver, report);
-  if (plan.relaxes()) relax(parts, solver, report);
+  if (plan.solves_again()) solve_again(parts, solver, report);
   return going_;
 }
 
 /// The policies relaxed and soft: solves again from v_1, without what moves the positions, so that its speed
 /// does not stay in the velocities.
 template <Scalar Real>
-void TwoSolves<Real>::relax(const Parts& parts, Solver<Real>& solver, StepReport& report) {
+void TwoSolves<Real>::solve_again(const Parts& parts, Solver<Real>& solver, StepReport& report) {
   VelocityProblem<Real>& problem = parts.record.problem;
   problem.velocity = first_velocity_;
   if (parts.step.plan.second_solve == SecondSolve::from_start) problem.impulse = first_impulse_;
-  problem.relaxes = true;
+  problem.is_second = true;
   for (int i = 0; i < problem.row_count(); ++i) {
-    problem.rows[i].bias = relaxed_rows_[i].bias;
-    problem.rows[i].softness = relaxed_rows_[i].softness;
+    problem.rows[i].bias = second_rows_[i].bias;
+    problem.rows[i].softness = second_rows_[i].softness;
   }
   report.count(solver.solve(problem), problem.impulse.size());
 }

@@ -36,12 +36,12 @@ class TwoSolves {
   void begin(const Parts& parts, ForcesOf when);
   int write(const Parts& parts, ForcesOf when, bool with_rows);
   int write_rows(const Parts& parts, StabilizationPass pass, bool with_rows, VelocityProblem<Real>& problem);
-  void relax(const Parts& parts, Solver<Real>& solver, StepReport& report);
+  void solve_again(const Parts& parts, Solver<Real>& solver, StepReport& report);
   void correct_positions(const Parts& parts, Solver<Real>& solver, StepReport& report);
 
   PerBody<Vec3<Real>> stiffness_;         // geometric: [N/m, N/m, N m/rad]
   RowForces<Real> forces_;                // of a joint or a contact
-  List<RelaxedRow<Real>> relaxed_rows_;   // of those that are written, where they are solved twice
+  List<SecondRow<Real>> second_rows_;     // of those that are written, where they are solved twice
   VelocityProblem<Real> second_problem_;  // of positions
   PerBody<Vec3<Real>> first_velocity_;    // v_1, and
   PerRow<Real> first_impulse_;            // the warm start of a solve that is done twice

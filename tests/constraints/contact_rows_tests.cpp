@@ -30,13 +30,13 @@ struct Touching {
     problem.rule = contact_rule<double>({}, StabilizationPass::velocity, 0.01, 10);
   }
   /// Behind three rows of something else, over `old` others.
-  int write(int old, List<RelaxedRow<double>>* relaxed = nullptr) {
+  int write(int old, List<SecondRow<double>>* second_rows = nullptr) {
     problem.rows.resize(3 + old);
     for (ConstraintRow<double>& row : problem.rows)
       row = {.bias = 9, .softness = 9, .first_extra = 9, .extra_count = 9};
     int next = 3;
     meet(contact, velocity_before, threshold, problem);
-    write_contact_rows(contact, problem, next, relaxed);
+    write_contact_rows(contact, problem, next, second_rows);
     CHECK(next - 3 == contact_row_count(contact, problem));
     for (int i = 3; i < next; ++i)
       CHECK(problem.rows[i].key.part == contact_part(contact.manifold, next - 3, i - 3));
@@ -91,12 +91,12 @@ TEST_CASE("a contact rebounds by the share e of the speed with which bodies came
   Touching touching;
   touching.contact.restitution = 0.5;
   touching.threshold = 1;
-  List<RelaxedRow<double>> relaxed;
-  touching.write(0, &relaxed);
+  List<SecondRow<double>> second_rows;
+  touching.write(0, &second_rows);
   CHECK(touching.row(0).bias == -0.25 / 0.01);  // 0.25 m away at 2 m/s: not in this step
   CHECK(touching.row(2).bias == 0.5 * 2);
-  REQUIRE(relaxed.size() == 4);
-  CHECK(relaxed[2].bias == 0.5 * 2);
+  REQUIRE(second_rows.size() == 4);
+  CHECK(second_rows[2].bias == 0.5 * 2);
   touching.threshold = 3;
   touching.write(0);
   CHECK(touching.row(2).bias == 0);

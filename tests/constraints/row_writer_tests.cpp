@@ -71,8 +71,8 @@ double speed_of(const RowSpec<double>& spec, const PerBody<Vec3<double>>& veloci
 }
 
 /// The law in the words of the paper, and of softness.hpp.
-RelaxedRow<double> law(const RowSpec<double>& spec, const Stabilization& how, StabilizationPass pass,
-                       const Stage& stage) {
+SecondRow<double> law(const RowSpec<double>& spec, const Stabilization& how, StabilizationPass pass,
+                      const Stage& stage) {
   using enum StabilizationPolicy;
   using enum StabilizationPass;
   const double beta = how.policy == baumgarte || (how.policy == relaxed && pass == velocity) ||
@@ -137,14 +137,15 @@ void check_joint(const Constraint& joint, const Stabilization& how, Stabilizatio
   problem.rows.assign(5, old);
   RowSpecs<double> specs;
   joint.append_rows(stage.begin.pose, specs);
-  List<RelaxedRow<double>> relaxed;
+  List<SecondRow<double>> second_rows;
   int next = 3;
-  const RowWriting<double> writing{.begin = stage.begin,
-                                   .problem = problem,
-                                   .next = next,
-                                   .rule = joint_rule(how, pass, h),
-                                   .second_rule = joint_rule(how, StabilizationPass::relax, h),
-                                   .relaxed = pass == StabilizationPass::velocity ? &relaxed : nullptr};
+  const RowWriting<double> writing{
+      .begin = stage.begin,
+      .problem = problem,
+      .next = next,
+      .rule = joint_rule(how, pass, h),
+      .second_rule = joint_rule(how, StabilizationPass::second, h),
+      .second_rows = pass == StabilizationPass::velocity ? &second_rows : nullptr};
   ProblemRows<double> rows(writing, 77);
   joint.write_rows(stage.begin.pose, rows);
   REQUIRE(next - 3 == specs.size());
@@ -160,10 +161,10 @@ void check_joint(const Constraint& joint, const Stabilization& how, Stabilizatio
     if (does_nothing) continue;
     check_near(row.bias, law(spec, how, pass, stage).bias);
     check_near(row.softness, law(spec, how, pass, stage).softness);
-    if (!writing.relaxed) continue;
-    const RelaxedRow<double> second = law(spec, how, StabilizationPass::relax, stage);
-    check_near(relaxed[i].bias, second.bias);
-    check_near(relaxed[i].softness, second.softness);
+    if (!writing.second_rows) continue;
+    const SecondRow<double> second = law(spec, how, StabilizationPass::second, stage);
+    check_near(second_rows[i].bias, second.bias);
+    check_near(second_rows[i].softness, second.softness);
   }
   CHECK(extra == problem.extra_terms.size());
 }

@@ -60,7 +60,7 @@ struct Touch {
 
 struct StabilizedContact {
   double bias = 0, softness = 0;  // in the first solve
-  RelaxedRow<double> second = {};
+  SecondRow<double> second = {};
 };
 
 /// The contact of body 1, which goes along y at v, with the ground, under a gravity of 8 m/s^2. Before it was
@@ -75,12 +75,12 @@ StabilizedContact contact_at(const Touch& touch, double v, const Stabilization& 
   problem.rule = contact_rule(how, pass, half_second, 8);
   const PerBody<Vec3<double>> before = {Vec3<double>::Zero(), Vec3<double>(0, -touch.rebound, 0)};
   meet(contact, before, 0.0, problem);
-  List<RelaxedRow<double>> second;
+  List<SecondRow<double>> second;
   int next = 0;
   write_contact_rows(contact, problem, next, &second);
   const StabilizedContact result = {problem.rows[0].bias, problem.rows[0].softness, second[0]};
   if (pass == StabilizationPass::position) return result;
-  problem.relaxes = true;
+  problem.is_second = true;
   next = 0;
   write_contact_rows(contact, problem, next);
   CHECK(problem.rows[0].bias == result.second.bias);
@@ -144,7 +144,7 @@ TEST_CASE("contacts take overlap back no faster than they may") {
 
 TEST_CASE("what a contact asks for in the second solve is its rebound, or no more than its room") {
   const auto second = [](double separation, double rebound, double v) {
-    const RelaxedRow<double> row = contact_at({separation, rebound}, v, quarter_and_eighth).second;
+    const SecondRow<double> row = contact_at({separation, rebound}, v, quarter_and_eighth).second;
     CHECK(row.softness == 0);
     return row.bias;
   };

@@ -21,7 +21,7 @@ LaneCode<Real> code_in_registers_of() {
   return {.pass = pass_over<bytes>,
           .fill = fill_lanes<Real>,
           .measure_contacts = measure_contacts<Real>,
-          .relax_contacts = relax_contacts<Real>,
+          .begin_second_solve = begin_second_solve<Real>,
           .push_contacts = push_contacts<bytes, Real>,
           .sweep_contacts = sweep_contacts<bytes, Real>,
           .fill_contacts = fill_contacts<bytes, Real>,

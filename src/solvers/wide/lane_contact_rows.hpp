@@ -102,12 +102,12 @@ inline void push_bodies(const LaneContactBatch<Real>& __restrict batch, int row,
 
 /// Leaves out what takes overlap back.
 template <typename Real>
-inline void relax_contacts(LaneContactBatch<Real>& batch) {
+inline void begin_second_solve(LaneContactBatch<Real>& batch) {
   for (int i = 0; i < batch.points; ++i) {
     for (int lane = 0; lane < lane_count; ++lane) {
       const Real rebound = batch.rebound[i][lane], bias = batch.bias[i][lane];
-      const Real relaxed = bias > 0 ? Real(0) : bias;
-      batch.bias[i][lane] = rebound > 0 ? rebound : relaxed;
+      const Real only_room = bias > 0 ? Real(0) : bias;
+      batch.bias[i][lane] = rebound > 0 ? rebound : only_room;
       batch.softness[i][lane] = Real(0);
     }
   }

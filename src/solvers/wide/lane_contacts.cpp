@@ -37,7 +37,7 @@ void LaneContacts<Real>::arrange(const LaneBatches& batches, const VelocityProbl
 template <Scalar Real>
 void LaneContacts<Real>::take(const LaneCode<Real>& code, const LaneBatches& batches,
                               const VelocityProblem<Real>& problem) {
-  const bool known = problem.relaxes && knows(problem);
+  const bool known = problem.is_second && knows(problem);
   for (const LaneBatch& batch : batches.batches()) {
     if (batch.contacts < 0) continue;
     LaneContactBatch<Real>& to = contacts_[batch.contacts];
@@ -46,7 +46,7 @@ void LaneContacts<Real>::take(const LaneCode<Real>& code, const LaneBatches& bat
       gather(batch, problem);
       code.measure_contacts(input_, problem.rule, to);
     }
-    if (problem.relaxes) code.relax_contacts(to);
+    if (problem.is_second) code.begin_second_solve(to);
     for (int lane = 0; lane < batch.used; ++lane) {
       for (int i = 0; i < batch.rows; ++i) to.answer[i][lane] = problem.impulse[batch.block_row[lane] + i];
     }

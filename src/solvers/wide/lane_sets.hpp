@@ -29,7 +29,7 @@ struct LaneCode {
   void (*measure_contacts)(const LaneContactInput<Real>& from, const RowRule<Real>& rule,
                            LaneContactBatch<Real>& to) = nullptr;
   /// Leaves the springs of a batch of contacts out.
-  void (*relax_contacts)(LaneContactBatch<Real>& batch) = nullptr;
+  void (*begin_second_solve)(LaneContactBatch<Real>& batch) = nullptr;
   /// The warm start of a batch of contacts: gives their impulses to their bodies, which are so fast.
   void (*push_contacts)(LaneContactBatch<Real>& batch, const LaneBatch& at, LaneBody<Real>* bodies) = nullptr;
   /// One sweep over a batch of contacts in the problem's own precision. Raises the largest step of an
