@@ -20,6 +20,7 @@ struct LaneContactInput {
   Real point[most_lane_points][2][lane_count];    // [m]
   Real separation[most_lane_points][lane_count];  // [m]
   Real rigid[most_lane_points][lane_count];       // 1 where no spring holds it, or 0
+  Real slop_limit[lane_count];                    // [m]
 };
 
 /// What contacts are weighed for: both sums that R_E is made of (residual.hpp).
@@ -42,7 +43,6 @@ struct alignas(64) LaneContactBatch {
   Real bias[most_lane_points][lane_count];      // [m/s] of the normal rows
   Real softness[most_lane_points][lane_count];  // [1/kg] of the normal rows
   Real friction[lane_count];                    // mu
-  Real slop_limit[lane_count];                  // [m]
   Real rebound[most_lane_points][lane_count];   // [m/s]
   Real impulse[most_contact_rows][lane_count];  // [N s] of each row, where the lanes were filled
   Real answer[most_contact_rows][lane_count];   // [N s] as written back last; before, the warm start

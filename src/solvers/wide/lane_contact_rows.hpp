@@ -20,14 +20,15 @@ inline Real inverse_mass_of(Real x, Real y, Real turn, Real mass_x, Real mass_y,
 /// Bias and softness of the normal rows of one point. The rule by value: to a compiler, lanes might lie over
 /// it.
 template <typename Real>
-inline void stabilize_point(const Real* separation, const Real* rigid, RowRule<Real> rule, int point,
-                            LaneContactBatch<Real>& batch) {
+inline void stabilize_point(const LaneContactInput<Real>& __restrict from, RowRule<Real> rule, int point,
+                            LaneContactBatch<Real>& __restrict batch) {
   const int row = batch.has_friction ? 2 * point : point;
   for (int lane = 0; lane < lane_count; ++lane) {
-    const bool on_spring = rule.has_springs && !(separation[lane] >= 0) && rigid[lane] == 0;
+    const bool on_spring =
+        rule.has_springs && !(from.separation[point][lane] >= 0) && from.rigid[point][lane] == 0;
     const Real softness = spring_softness(rule, batch.inverse[row][lane]);
     batch.softness[point][lane] = on_spring ? softness : Real(0);
-    batch.bias[point][lane] = contact_bias(rule, separation[lane], batch.slop_limit[lane],
+    batch.bias[point][lane] = contact_bias(rule, from.separation[point][lane], from.slop_limit[lane],
                                            batch.rebound[point][lane], on_spring, false);
   }
 }
@@ -76,7 +77,7 @@ inline void measure_contacts(const LaneContactInput<Real>& from, const RowRule<R
   }
   for (int point = 0; point < to.points; ++point) {
     measure_arms(from, point, to);
-    stabilize_point(from.separation[point], from.rigid[point], rule, point, to);
+    stabilize_point(from, rule, point, to);
   }
 }
 

@@ -65,7 +65,7 @@ void LaneContacts<Real>::gather(const LaneBatch& batch, const VelocityProblem<Re
     }
     gather_manifold(contact.manifold, lane);
     to.friction[lane] = contact.friction;
-    to.slop_limit[lane] = contact.slop_limit;
+    input_.slop_limit[lane] = contact.slop_limit;
     for (int i = 0; i < to.points; ++i) {
       to.rebound[i][lane] = contact.rebound[i];
       input_.rigid[i][lane] = contact.rigid[i] ? Real(1) : Real(0);
