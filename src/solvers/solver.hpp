@@ -93,7 +93,7 @@ class Solver {
   virtual std::string name() const = 0;
   /// Changes problem.velocity and problem.impulse, from the impulses that it finds there.
   virtual SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) = 0;
-  /// Whether it needs no rows of contacts: VelocityProblem::contacts will do. Most do.
+  /// Whether VelocityProblem::contacts are all that it needs of contacts: most need rows.
   virtual bool takes_contacts() const { return false; }
   /// Bytes that the last solve kept beside the problem: the numbers stored, not what the allocator has set
   /// aside for more. 0 before the first solve, and for a solver that keeps nothing.

@@ -83,7 +83,7 @@ class LaneBatches {
   void add_batch(Span<const ColouredBlock> blocks);
 
   List<LaneBlock> blocks_;
-  bool of_contacts_ = false;  // some of which had no rows
+  bool of_contacts_ = false;  // which had no rows
   int joints_ = 0;            // of the blocks, before those of contacts
   PerBody<char> moves_;       // whether a body can move
   List<int> leant_on_;        // rows that friction of another block leans on
