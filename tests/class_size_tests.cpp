@@ -35,7 +35,6 @@ const std::map<std::string, std::pair<int, int>> larger_classes = {
     {"InteriorRows", {14, 6}},
     {"LaneContactBatch", {0, 16}},
     {"LaneSystem", {16, 19}},
-    {"LookAhead", {15, 11}},
     {"Plan", {0, 26}},
     {"ProximalRows", {30, 17}},
     {"Scene", {20, 7}},

@@ -30,7 +30,9 @@ class ContactFinder {
 
   void find_manifolds();
   void put_manifolds();
-  void meet_all();
+  void meet_all(int since);
+  bool looks_again(BodyId a, BodyId b, int slot, int since) const;
+  void choose_candidates();
   template <typename Find>
   void find_with_others(const Find& find);
   void locate_bodies();
@@ -40,9 +42,12 @@ class ContactFinder {
   bool is_slow(const ContactSlot<Real>& slot, Real travel) const;
   Real nearness(const ContactSlot<Real>& slot) const;
   Real margin_for(const ContactSlot<Real>& slot, Real travel) const;
-  void stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold);
+  bool is_news(const ContactSlot<Real>& slot, int number);
+  void stop(int slot);
   void meet(NearSlot& near);
-  void begin_round();
+  void meet_for_step(int slot);
+  void sort_manifolds();
+  void keep_sight(int slot, const Manifold<Real>& manifold);
   void touch(int slot, const Manifold<Real>& manifold);
   void touch_ahead(int slot);
   Manifold<Real> moved_manifold(int slot);

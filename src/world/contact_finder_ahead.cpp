@@ -5,7 +5,7 @@
 // along their way: a row holds them off along the normal of the touch, and lets pass what would have missed.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "world/contact_finder.hpp"
 
@@ -33,11 +33,10 @@ Real least_distance(const Course<Real>& a, const Course<Real>& b, Real time) {
 /// gravity adds its share in each substep.
 template <Scalar Real>
 void ContactFinder<Real>::look_ahead(Real time) {
-  PerBody<Vec3<Real>>& velocity = cache_.outlook_.begin(time);
-  velocity = step_.state.velocity;
-  step_.add_forces(velocity, (time + step_.dt) / 2);
-  cache_.outlook_.stop_nobody();
-  cache_.rounds_.first = ++cache_.rounds_.changes;
+  cache_.going_ = step_.state.velocity;
+  step_.add_forces(cache_.going_, (time + step_.dt) / 2);
+  cache_.outlook_.begin(time, cache_.going_);
+  cache_.rounds_.begin();
 }
 
 /// [m] How far two shapes may come beside each other.
@@ -66,33 +65,24 @@ Real ContactFinder<Real>::margin_for(const ContactSlot<Real>& slot, Real travel)
   return is_slow(slot, travel) ? margin : margin + 2 * travel;
 }
 
-/// Takes into the step what a pair will touch with. Where neither body has been stopped since the round
-/// before looked, that is what it found.
+/// Whether a pair has not been seen in this search, or one of its bodies has been stopped since.
+template <Scalar Real>
+bool ContactFinder<Real>::is_news(const ContactSlot<Real>& slot, int number) {
+  Sight& sight = cache_.rounds_.of(slot, number);
+  const int since = std::exchange(sight.changes, cache_.outlook_.changes());
+  return since < 0 || cache_.outlook_.has_changed(slot.a, since) || cache_.outlook_.has_changed(slot.b, since);
+}
+
+/// Takes into the step what a pair will touch with.
 template <Scalar Real>
 void ContactFinder<Real>::touch_ahead(int number) {
   const ContactSlot<Real>& slot = cache_.graph_[number];
-  Rounds<Real>& rounds = cache_.rounds_;
-  if (number >= rounds.sights.size()) rounds.sights.resize(number + 1);
-  auto& sight = rounds.sights[number];
-  const bool is_same = sight.collider_a == slot.collider_a && sight.collider_b == slot.collider_b;
-  const bool goes_on = is_same && sight.round == rounds.round - 1 && sight.changes >= rounds.first &&
-                       rounds.last[slot.a] <= sight.changes && rounds.last[slot.b] <= sight.changes;
-  Manifold<Real> manifold;
-  if (!goes_on) {
+  if (is_news(slot, number)) {
     const Real way = travel(slot);
-    sight.is_slow = is_slow(slot, way);
-    manifold = manifold_ahead(slot, way);
-  } else if (sight.manifold >= 0) {
-    manifold = rounds.manifolds[sight.manifold];
+    cache_.rounds_.of(slot, number).is_slow = is_slow(slot, way);
+    touch(number, manifold_ahead(slot, way));
   }
-  sight = {.collider_a = slot.collider_a,
-           .collider_b = slot.collider_b,
-           .round = rounds.round,
-           .changes = rounds.changes,
-           .manifold = manifold.count > 0 ? record_.manifolds.size() : -1,
-           .is_slow = sight.is_slow};
-  if (!sight.is_slow) stop(slot, manifold);
-  touch(number, manifold);
+  stop(number);
 }
 
 /// What a pair that travels so far [m] will touch with.
@@ -151,7 +141,12 @@ Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& s
 /// Each is stopped once in a step: from then on it is in the way of others as if nothing moved it. So two
 /// that can both be moved wait until others have stopped whom they can, whatever the order of pairs.
 template <Scalar Real>
-void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold) {
+void ContactFinder<Real>::stop(int number) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  Sight& sight = cache_.rounds_.of(slot, number);
+  sight.waits = false;
+  if (sight.is_slow || sight.manifold < 0) return;
+  const Manifold<Real>& manifold = record_.manifolds[sight.manifold];
   const Vec3<Real> still = Vec3<Real>::Zero();
   const Vec3<Real> light_a = cache_.outlook_.is_stopped(slot.a) ? still : step_.state.inverse_mass[slot.a];
   const Vec3<Real> light_b = cache_.outlook_.is_stopped(slot.b) ? still : step_.state.inverse_mass[slot.b];
@@ -168,6 +163,7 @@ void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Rea
         dot(push_a, cache_.outlook_.stopped(slot.a)) + dot(push_b, cache_.outlook_.stopped(slot.b));
     const Real missing = -point.separation / cache_.outlook_.time() - parting;
     if (is_slow(slot, cache_.outlook_.time() * missing)) continue;
+    sight.waits = waits;
     stops_.are_waiting = stops_.are_waiting || waits;
     if (waits) return;
     const Vec3<Real> pull_a = light_a.cwiseProduct(push_a), pull_b = light_b.cwiseProduct(push_b);
@@ -176,7 +172,6 @@ void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Rea
     const auto change = [&](BodyId body, const Vec3<Real>& light, const Vec3<Real>& pull) {
       if (light.isZero(0)) return;
       cache_.outlook_.stop(body, impulse * pull);
-      cache_.rounds_.last[body] = ++cache_.rounds_.changes;
     };
     change(slot.a, light_a, pull_a);
     change(slot.b, light_b, pull_b);
