@@ -103,7 +103,7 @@ class ContactCache {
   PerBody<Vec3<Real>> going_;    // velocities, should nothing be in the way
   LookAhead<Real> outlook_;      // over the time for which contacts are sought
   SweptBoxes<Real> boxes_;       // over the same time
-  Rounds rounds_;                // of looking ahead
+  Rounds<Real> rounds_;          // of looking ahead
   List<Manifold<Real>> sorted_;
 };
 

@@ -97,7 +97,7 @@ void ContactFinder<Real>::meet_all(int since) {
 template <Scalar Real>
 bool ContactFinder<Real>::looks_again(BodyId a, BodyId b, int slot, int since) const {
   if (cache_.outlook_.has_changed(a, since) || cache_.outlook_.has_changed(b, since)) return true;
-  const Sight* const sight = cache_.rounds_.seen(slot);
+  const Sight<Real>* const sight = cache_.rounds_.seen(slot);
   return sight != nullptr && sight->waits;
 }
 
@@ -149,7 +149,7 @@ void ContactFinder<Real>::sort_manifolds() {
   make_room(sorted, record_.manifolds.size());
   cache_.touching_.clear();
   for (const NearSlot& near : cache_.graph_.order()) {
-    const Sight* const sight = cache_.rounds_.seen(near.slot);
+    const Sight<Real>* const sight = cache_.rounds_.seen(near.slot);
     if (sight == nullptr || sight->manifold < 0) continue;
     sorted.push_back(record_.manifolds[sight->manifold]);
     cache_.touching_.push_back(near.slot);
@@ -238,7 +238,7 @@ void ContactFinder<Real>::touch(int number, const Manifold<Real>& manifold) {
 /// Puts what is seen of a slot in the place of what was seen before.
 template <Scalar Real>
 void ContactFinder<Real>::keep_sight(int number, const Manifold<Real>& manifold) {
-  Sight& sight = cache_.rounds_.of(cache_.graph_[number], number);
+  Sight<Real>& sight = cache_.rounds_.of(cache_.graph_[number], number);
   if (manifold.count == 0) {
     sight.manifold = -1;
   } else if (sight.manifold >= 0) {
@@ -275,7 +275,7 @@ void ContactFinder<Real>::meet_for_step(int number) {
   const ContactSlot<Real>& slot = cache_.graph_[number];
   if (is_news(slot, number)) {
     if (!has_lasting_manifold(number)) find_lasting_manifold(number);
-    if (!cache_.graph_.lasting(number).is_found) keep_sight(number, manifold_ahead(slot, travel(slot)));
+    if (!cache_.graph_.lasting(number).is_found) keep_sight(number, manifold_ahead(number, travel(slot)));
   }
   if (!cache_.graph_.lasting(number).is_found) stop(number);
 }

@@ -51,9 +51,10 @@ class ContactFinder {
   void touch(int slot, const Manifold<Real>& manifold);
   void touch_ahead(int slot);
   Manifold<Real> moved_manifold(int slot);
-  Manifold<Real> manifold_ahead(const ContactSlot<Real>& slot, Real travel);
+  bool stay_apart(const ContactSlot<Real>& slot, const Vec2<Real>& direction) const;
+  Manifold<Real> manifold_ahead(int slot, Real travel);
   Manifold<Real> manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
-                                   const Course<Real>& b, Real room, Real margin) const;
+                                   const Course<Real>& b, Real room, Real margin, Vec2<Real>& apart) const;
   Manifold<Real> collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
                               const Frame<Real>& frame_b, Real margin) const;
   Pose<Real> relative_pose(const ContactSlot<Real>& slot, bool a_moves) const;

@@ -5,6 +5,7 @@
 // along their way: a row holds them off along the normal of the touch, and lets pass what would have missed.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "world/contact_finder.hpp"
@@ -68,7 +69,7 @@ Real ContactFinder<Real>::margin_for(const ContactSlot<Real>& slot, Real travel)
 /// Whether a pair has not been seen in this search, or one of its bodies has been stopped since.
 template <Scalar Real>
 bool ContactFinder<Real>::is_news(const ContactSlot<Real>& slot, int number) {
-  Sight& sight = cache_.rounds_.of(slot, number);
+  Sight<Real>& sight = cache_.rounds_.of(slot, number);
   const int since = std::exchange(sight.changes, cache_.outlook_.changes());
   return since < 0 || cache_.outlook_.has_changed(slot.a, since) || cache_.outlook_.has_changed(slot.b, since);
 }
@@ -80,21 +81,37 @@ void ContactFinder<Real>::touch_ahead(int number) {
   if (is_news(slot, number)) {
     const Real way = travel(slot);
     cache_.rounds_.of(slot, number).is_slow = is_slow(slot, way);
-    touch(number, manifold_ahead(slot, way));
+    touch(number, manifold_ahead(number, way));
   }
   stop(number);
 }
 
+/// Whether two shapes surely stay farther from each other along a direction than anything that they may do
+/// needs.
+template <Scalar Real>
+bool ContactFinder<Real>::stay_apart(const ContactSlot<Real>& slot, const Vec2<Real>& direction) const {
+  const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
+  const Frame<Real>&frame_a = cache_.frames_[slot.a], &frame_b = cache_.frames_[slot.b];
+  const Real room = std::max(static_cast<Real>(*step_.plan.settings.speculative_margin), nearness(slot));
+  const Real far = (frame_b.position - frame_a.position).cwiseAbs().sum() + a.form->radius + b.form->radius;
+  const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * far;
+  return gap_along(direction, *a.form->shape, frame_a, *b.form->shape, frame_b) >
+         room + rounding + cache_.outlook_.closing(direction, a, b);
+}
+
 /// What a pair that travels so far [m] will touch with.
 template <Scalar Real>
-Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot, Real way) {
+Manifold<Real> ContactFinder<Real>::manifold_ahead(int number, Real way) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  Vec2<Real>& apart = cache_.rounds_.of(slot, number).apart;
   const Real margin = margin_for(slot, way);
   if (is_slow(slot, way)) return collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], margin);
+  if (stay_apart(slot, apart)) return {};
   const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
   const Real room = static_cast<Real>(*step_.plan.settings.speculative_margin);
   Manifold<Real> manifold;
   cache_.outlook_.for_each_course(a, b, places(), [&](const Course<Real>& of_a, const Course<Real>& of_b) {
-    if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin);
+    if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin, apart);
   });
   const Real leeway =
       cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
@@ -104,7 +121,7 @@ Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot
                                     [&last](const Course<Real>& of_a, const Course<Real>& of_b) {
                                       last = {of_a, of_b};
                                     });
-    manifold = manifold_of_touch(slot, last.first, last.second, room + leeway, margin);
+    manifold = manifold_of_touch(slot, last.first, last.second, room + leeway, margin, apart);
   }
   return manifold;
 }
@@ -114,13 +131,15 @@ Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot
 /// that of a pose in which they begin to part, if they are nearer than `room` [m] there.
 template <Scalar Real>
 Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
-                                                      const Course<Real>& b, Real room, Real margin) const {
+                                                      const Course<Real>& b, Real room, Real margin,
+                                                      Vec2<Real>& apart) const {
   const ColliderForm<Real>& form_a = *(*cache_.colliders_)[slot.collider_a].form;
   const ColliderForm<Real>& form_b = *(*cache_.colliders_)[slot.collider_b].form;
   const Real near = nearness(slot), most = form_a.radius + form_b.radius + std::max(room, near);
   if (least_distance(a, b, cache_.outlook_.time()) > most) return {};
   const Approach<Real> met =
       approach(*form_a.shape, a, *form_b.shape, b, cache_.outlook_.time(), near, std::max(room, near));
+  apart = met.normal;
   if (met.separation > near && met.separation >= room) return {};
   const Frame<Real> then_a = a.at(met.time), then_b = b.at(met.time);
   Manifold<Real> manifold = collide_slot(slot, then_a, then_b, margin);
@@ -143,7 +162,7 @@ Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& s
 template <Scalar Real>
 void ContactFinder<Real>::stop(int number) {
   const ContactSlot<Real>& slot = cache_.graph_[number];
-  Sight& sight = cache_.rounds_.of(slot, number);
+  Sight<Real>& sight = cache_.rounds_.of(slot, number);
   sight.waits = false;
   if (sight.is_slow || sight.manifold < 0) return;
   const Manifold<Real>& manifold = record_.manifolds[sight.manifold];

@@ -1,6 +1,9 @@
 // Floor 5. How bodies would move within a step, against each other, should nothing be in their way.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "collision/approach.hpp"
 #include "dynamics/body.hpp"
 #include "world/collider.hpp"
@@ -46,6 +49,10 @@ class LookAhead {
   /// [m] How far a point of one surface may come beside the other: as seen by who does not turn, or by who
   /// turns with one of the two. What turns together does not come any closer.
   Real travel(const Collider<Real>& a, const Collider<Real>& b, const Places& places) const;
+  /// [m] By how much two shapes come together at most along a unit direction from a to b.
+  Real closing(const Vec2<Real>& direction, const Collider<Real>& a, const Collider<Real>& b) const {
+    return reach(direction, a) + reach(-direction, b) + time_ * (leeway(a.body) + leeway(b.body));
+  }
   /// Calls visit(velocity) for what a body may do: going on, and as it is stopped.
   template <typename Visit>
   void for_each_velocity(BodyId body, const Visit& visit) const {
@@ -67,6 +74,15 @@ class LookAhead {
   /// What turning moves of a shape lies in the circle around its core.
   static Course<Real> course(const Collider<Real>& it, const Places& places, const Vec3<Real>& velocity) {
     return {places.poses[it.body], velocity, it.form->radius - it.form->core_radius, &places.frames[it.body]};
+  }
+
+  Real reach(const Vec2<Real>& direction, const Collider<Real>& it) const {
+    Real most = 0;
+    for_each_velocity(it.body, [&](const Vec3<Real>& velocity) {
+      const Real turning = std::abs(velocity.z()) * (it.form->radius - it.form->core_radius);
+      most = std::max(most, direction.dot(velocity.template head<2>()) + turning);
+    });
+    return time_ * most;
   }
 
   Real time_ = 0;
