@@ -24,16 +24,26 @@ struct Gap {
   Real separation = 0;         // [m] along the normal: no more than between their nearest points
 };
 
-/// The shortest way from the vertices of `from` to the core of `to`, if it is shorter than `way`.
+// By which a square may be rounded, and more.
+constexpr double rounded_square = 1 + 1e-5;
+
+/// The shortest way from the vertices of `from` to the core of `to`, if it is shorter than `way`. An edge is no
+/// nearer than the line that it lies on.
 template <Scalar Real>
 void shorten(const RoundedHull<Real>& from, const RoundedHull<Real>& to, Vec2<Real>& way) {
+  Real most = static_cast<Real>(rounded_square) * way.squaredNorm();
   for (int i = 0; i < from.count; ++i) {
     for (int j = 0; j < to.count; ++j) {
-      const Vec2<Real> arm = from.vertex(i) - to.vertex(j), edge = to.vertex(to.next(j)) - to.vertex(j);
+      const Vec2<Real> arm = from.vertex(i) - to.vertex(j);
+      const Real height = to.face_count() > 0 ? to.normal(j).dot(arm) : Real(0);
+      if (height * height > most) continue;
+      const Vec2<Real> edge = to.vertex(to.next(j)) - to.vertex(j);
       const Real squared = edge.squaredNorm();
       const Real share = squared > 0 ? std::clamp(edge.dot(arm) / squared, Real(0), Real(1)) : Real(0);
       const Vec2<Real> other = share * edge - arm;
-      if (other.squaredNorm() < way.squaredNorm()) way = other;
+      if (!(other.squaredNorm() < way.squaredNorm())) continue;
+      way = other;
+      most = static_cast<Real>(rounded_square) * way.squaredNorm();
     }
   }
 }
