@@ -27,8 +27,8 @@ struct Gap {
 // By which a square may be rounded, and more.
 constexpr double rounded_square = 1 + 1e-5;
 
-/// The shortest way from the vertices of `from` to the core of `to`, if it is shorter than `way`. An edge is no
-/// nearer than the line that it lies on.
+/// The shortest way from the vertices of `from` to the core of `to`, if it is shorter than `way`. An edge is
+/// no nearer than the line that it lies on.
 template <Scalar Real>
 void shorten(const RoundedHull<Real>& from, const RoundedHull<Real>& to, Vec2<Real>& way) {
   Real most = static_cast<Real>(rounded_square) * way.squaredNorm();

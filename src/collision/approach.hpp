@@ -40,7 +40,8 @@ Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<
 
 /// [m] How far two shapes are apart along a unit direction from a to b: no more than their surfaces are.
 template <Scalar Real>
-Real gap_along(const Vec2<Real>& direction, const Shape<Real>& a, const std::type_identity_t<Frame<Real>>& frame_a,
-               const Shape<Real>& b, const std::type_identity_t<Frame<Real>>& frame_b);
+Real gap_along(const Vec2<Real>& direction, const Shape<Real>& a,
+               const std::type_identity_t<Frame<Real>>& frame_a, const Shape<Real>& b,
+               const std::type_identity_t<Frame<Real>>& frame_b);
 
 }  // namespace cairn

@@ -39,6 +39,7 @@ class ContactFinder {
   void look_ahead(Real time);
   typename LookAhead<Real>::Places places() const { return {step_.state.pose, cache_.frames_}; }
   Real travel(const ContactSlot<Real>& slot) const;
+  Real slow_way(const ContactSlot<Real>& slot) const;
   bool is_slow(const ContactSlot<Real>& slot, Real travel) const;
   Real nearness(const ContactSlot<Real>& slot) const;
   Real margin_for(const ContactSlot<Real>& slot, Real travel) const;
@@ -51,6 +52,7 @@ class ContactFinder {
   void touch(int slot, const Manifold<Real>& manifold);
   void touch_ahead(int slot);
   Manifold<Real> moved_manifold(int slot);
+  Real leeway_of(const ContactSlot<Real>& slot) const;
   bool stay_apart(const ContactSlot<Real>& slot, const Vec2<Real>& direction) const;
   Manifold<Real> manifold_ahead(int slot, Real travel);
   Manifold<Real> manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,

@@ -28,6 +28,17 @@ Real least_distance(const Course<Real>& a, const Course<Real>& b, Real time) {
   return (arm + share * way).norm();
 }
 
+/// [m] How far a shape goes in a unit direction at most; negative where it goes back.
+template <Scalar Real>
+Real most_way(const LookAhead<Real>& outlook, const Vec2<Real>& direction, const Collider<Real>& it) {
+  Real most = -std::numeric_limits<Real>::infinity();
+  outlook.for_each_velocity(it.body, [&](const Vec3<Real>& velocity) {
+    const Real turning = std::abs(velocity.z()) * (it.form->radius - it.form->core_radius);
+    most = std::max(most, direction.dot(velocity.template head<2>()) + turning);
+  });
+  return outlook.time() * most;
+}
+
 }  // namespace
 
 /// With which velocities bodies would go on for `time` [s], should nothing be in their way: mean ones, as
@@ -44,7 +55,7 @@ void ContactFinder<Real>::look_ahead(Real time) {
 template <Scalar Real>
 Real ContactFinder<Real>::travel(const ContactSlot<Real>& slot) const {
   return cache_.outlook_.travel((*cache_.colliders_)[slot.collider_a], (*cache_.colliders_)[slot.collider_b],
-                                places());
+                                step_.state.pose, slow_way(slot));
 }
 
 /// [m] What a manifold may be off by.
@@ -53,10 +64,15 @@ Real ContactFinder<Real>::nearness(const ContactSlot<Real>& slot) const {
   return static_cast<Real>(keep_share) * slot.slop_limit;
 }
 
-/// Whether a pair comes so little way that all it can touch is what is near now.
+/// [m] Of a pair that comes no farther, all it can touch is near now.
+template <Scalar Real>
+Real ContactFinder<Real>::slow_way(const ContactSlot<Real>& slot) const {
+  return std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, slot.slop_limit);
+}
+
 template <Scalar Real>
 bool ContactFinder<Real>::is_slow(const ContactSlot<Real>& slot, Real travel) const {
-  return travel <= std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, slot.slop_limit);
+  return travel <= slow_way(slot);
 }
 
 /// [m] Below it points have rows. One end of a body that comes down is thrown down by what stops the other.
@@ -71,7 +87,8 @@ template <Scalar Real>
 bool ContactFinder<Real>::is_news(const ContactSlot<Real>& slot, int number) {
   Sight<Real>& sight = cache_.rounds_.of(slot, number);
   const int since = std::exchange(sight.changes, cache_.outlook_.changes());
-  return since < 0 || cache_.outlook_.has_changed(slot.a, since) || cache_.outlook_.has_changed(slot.b, since);
+  return since < 0 || cache_.outlook_.has_changed(slot.a, since) ||
+         cache_.outlook_.has_changed(slot.b, since);
 }
 
 /// Takes into the step what a pair will touch with.
@@ -86,6 +103,12 @@ void ContactFinder<Real>::touch_ahead(int number) {
   stop(number);
 }
 
+/// [m] By how much others may turn the two aside.
+template <Scalar Real>
+Real ContactFinder<Real>::leeway_of(const ContactSlot<Real>& slot) const {
+  return cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
+}
+
 /// Whether two shapes surely stay farther from each other along a direction than anything that they may do
 /// needs.
 template <Scalar Real>
@@ -95,8 +118,10 @@ bool ContactFinder<Real>::stay_apart(const ContactSlot<Real>& slot, const Vec2<R
   const Real room = std::max(static_cast<Real>(*step_.plan.settings.speculative_margin), nearness(slot));
   const Real far = (frame_b.position - frame_a.position).cwiseAbs().sum() + a.form->radius + b.form->radius;
   const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * far;
+  const Real closing =
+      most_way(cache_.outlook_, direction, a) + most_way<Real>(cache_.outlook_, -direction, b);
   return gap_along(direction, *a.form->shape, frame_a, *b.form->shape, frame_b) >
-         room + rounding + cache_.outlook_.closing(direction, a, b);
+         room + leeway_of(slot) + rounding + std::max(closing, Real(0));
 }
 
 /// What a pair that travels so far [m] will touch with.
@@ -113,8 +138,7 @@ Manifold<Real> ContactFinder<Real>::manifold_ahead(int number, Real way) {
   cache_.outlook_.for_each_course(a, b, places(), [&](const Course<Real>& of_a, const Course<Real>& of_b) {
     if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin, apart);
   });
-  const Real leeway =
-      cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
+  const Real leeway = leeway_of(slot);
   if (manifold.count == 0 && leeway > 0) {
     std::pair<Course<Real>, Course<Real>> last;
     cache_.outlook_.for_each_course(a, b, places(),
@@ -183,17 +207,13 @@ void ContactFinder<Real>::stop(int number) {
     const Real missing = -point.separation / cache_.outlook_.time() - parting;
     if (is_slow(slot, cache_.outlook_.time() * missing)) continue;
     sight.waits = waits;
-    stops_.are_waiting = stops_.are_waiting || waits;
+    stops_.are_waiting |= waits;
     if (waits) return;
     const Vec3<Real> pull_a = light_a.cwiseProduct(push_a), pull_b = light_b.cwiseProduct(push_b);
     const Real rebound = slot.restitution > 0 ? -(1 + slot.restitution) * parting : Real(0);
     const Real impulse = std::max(missing, rebound) / (dot(push_a, pull_a) + dot(push_b, pull_b));
-    const auto change = [&](BodyId body, const Vec3<Real>& light, const Vec3<Real>& pull) {
-      if (light.isZero(0)) return;
-      cache_.outlook_.stop(body, impulse * pull);
-    };
-    change(slot.a, light_a, pull_a);
-    change(slot.b, light_b, pull_b);
+    if (!light_a.isZero(0)) cache_.outlook_.stop(slot.a, impulse * pull_a);
+    if (!light_b.isZero(0)) cache_.outlook_.stop(slot.b, impulse * pull_b);
     is_new = true;
   }
   if (!is_new) return;

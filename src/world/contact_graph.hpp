@@ -114,8 +114,8 @@ class ContactGraph {
     if (near.slot != NearSlot::none) free_.push_back(std::exchange(near.slot, NearSlot::none));
   }
 
-  /// Gives slots other numbers: a step goes through all of them several times, which is fastest where they lie
-  /// one behind the other. It does nothing unless many were added.
+  /// Gives slots other numbers: a step goes through all of them several times, which is fastest where they
+  /// lie one behind the other. It does nothing unless many were added.
   void sort_slots() {
     if (added_ <= few_added + slots_.size() / 4) return;
     List<ContactSlot<Real>> sorted;

@@ -17,21 +17,25 @@ void LookAhead<Real>::begin(Real time, const PerBody<Vec3<Real>>& velocity) {
 }
 
 template <Scalar Real>
-Real LookAhead<Real>::travel(const Collider<Real>& a, const Collider<Real>& b, const Places& places) const {
+Real LookAhead<Real>::travel(const Collider<Real>& a, const Collider<Real>& b,
+                             const PerBody<Pose<Real>>& poses, Real enough) const {
+  const Real radius_a = a.form->radius - a.form->core_radius, radius_b = b.form->radius - b.form->core_radius;
+  const auto way_at = [&](Real speed) { return time_ * (speed + leeway(a.body) + leeway(b.body)); };
   Real most = 0;  // [m/s]
-  for_each_course(a, b, places, [&most](const Course<Real>& one, const Course<Real>& other) {
-    const Vec2<Real> way = (other.velocity - one.velocity).template head<2>();
-    const Real turn_one = one.velocity.z(), turn_other = other.velocity.z();
-    Real speed = way.norm() + std::abs(turn_one) * one.radius + std::abs(turn_other) * other.radius;
-    if (turn_one != 0 || turn_other != 0) {
-      const Real turn = std::abs(turn_other - turn_one);
-      const Vec2<Real> arm = other.pose.position - one.pose.position;
-      speed = std::min({speed, (way - cross<Real>(turn_one, arm)).norm() + turn * other.radius,
-                        (way - cross<Real>(turn_other, arm)).norm() + turn * one.radius});
-    }
-    most = std::max(most, speed);
+  for_each_velocity(a.body, [&](const Vec3<Real>& of_a) {
+    for_each_velocity(b.body, [&](const Vec3<Real>& of_b) {
+      const Vec2<Real> way = (of_b - of_a).template head<2>();
+      Real speed = way.norm() + std::abs(of_a.z()) * radius_a + std::abs(of_b.z()) * radius_b;
+      if ((of_a.z() != 0 || of_b.z() != 0) && way_at(speed) > enough) {
+        const Real turn = std::abs(of_b.z() - of_a.z());
+        const Vec2<Real> arm = poses[b.body].position - poses[a.body].position;
+        speed = std::min({speed, (way - cross<Real>(of_a.z(), arm)).norm() + turn * radius_b,
+                          (way - cross<Real>(of_b.z(), arm)).norm() + turn * radius_a});
+      }
+      most = std::max(most, speed);
+    });
   });
-  return time_ * (most + leeway(a.body) + leeway(b.body));
+  return way_at(most);
 }
 
 template class LookAhead<float>;

@@ -1,9 +1,6 @@
 // Floor 5. How bodies would move within a step, against each other, should nothing be in their way.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "collision/approach.hpp"
 #include "dynamics/body.hpp"
 #include "world/collider.hpp"
@@ -47,12 +44,10 @@ class LookAhead {
   bool has_changed(BodyId body, int since) const { return last_change_[body] > since; }
 
   /// [m] How far a point of one surface may come beside the other: as seen by who does not turn, or by who
-  /// turns with one of the two. What turns together does not come any closer.
-  Real travel(const Collider<Real>& a, const Collider<Real>& b, const Places& places) const;
-  /// [m] By how much two shapes come together at most along a unit direction from a to b.
-  Real closing(const Vec2<Real>& direction, const Collider<Real>& a, const Collider<Real>& b) const {
-    return reach(direction, a) + reach(-direction, b) + time_ * (leeway(a.body) + leeway(b.body));
-  }
+  /// turns with one of the two. What turns together does not come any closer. Of ways up to `enough` [m], one
+  /// that is no shorter will do.
+  Real travel(const Collider<Real>& a, const Collider<Real>& b, const PerBody<Pose<Real>>& poses,
+              Real enough = 0) const;
   /// Calls visit(velocity) for what a body may do: going on, and as it is stopped.
   template <typename Visit>
   void for_each_velocity(BodyId body, const Visit& visit) const {
@@ -64,9 +59,8 @@ class LookAhead {
   void for_each_course(const Collider<Real>& a, const Collider<Real>& b, const Places& places,
                        const Visit& visit) const {
     for_each_velocity(a.body, [&](const Vec3<Real>& of_a) {
-      for_each_velocity(b.body, [&](const Vec3<Real>& of_b) {
-        visit(course(a, places, of_a), course(b, places, of_b));
-      });
+      for_each_velocity(
+          b.body, [&](const Vec3<Real>& of_b) { visit(course(a, places, of_a), course(b, places, of_b)); });
     });
   }
 
@@ -74,15 +68,6 @@ class LookAhead {
   /// What turning moves of a shape lies in the circle around its core.
   static Course<Real> course(const Collider<Real>& it, const Places& places, const Vec3<Real>& velocity) {
     return {places.poses[it.body], velocity, it.form->radius - it.form->core_radius, &places.frames[it.body]};
-  }
-
-  Real reach(const Vec2<Real>& direction, const Collider<Real>& it) const {
-    Real most = 0;
-    for_each_velocity(it.body, [&](const Vec3<Real>& velocity) {
-      const Real turning = std::abs(velocity.z()) * (it.form->radius - it.form->core_radius);
-      most = std::max(most, direction.dot(velocity.template head<2>()) + turning);
-    });
-    return time_ * most;
   }
 
   Real time_ = 0;

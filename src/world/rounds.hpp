@@ -34,10 +34,8 @@ class Rounds {
     const bool is_same = sight.collider_a == slot.collider_a && sight.collider_b == slot.collider_b;
     if (sight.search != search_ || !is_same) {
       const Vec2<Real> apart = is_same ? sight.apart : Vec2<Real>::Zero();
-      sight = {.collider_a = slot.collider_a,
-               .collider_b = slot.collider_b,
-               .search = search_,
-               .apart = apart};
+      sight = {
+          .collider_a = slot.collider_a, .collider_b = slot.collider_b, .search = search_, .apart = apart};
     }
     return sight;
   }

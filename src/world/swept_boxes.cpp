@@ -8,8 +8,8 @@
 namespace cairn {
 
 template <Scalar Real>
-void SweptBoxes<Real>::follow_crowd(const List<Collider<Real>>& colliders, const PerBody<Vec3<Real>>& velocity,
-                                   Real time) {
+void SweptBoxes<Real>::follow_crowd(const List<Collider<Real>>& colliders,
+                                    const PerBody<Vec3<Real>>& velocity, Real time) {
   if (colliders.empty()) return;
   for (int axis = 0; axis < 2; ++axis) {
     for (int i = 0; i < colliders.size(); ++i) speeds_[i] = velocity[colliders[i].body][axis];
