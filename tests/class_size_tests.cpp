@@ -33,7 +33,6 @@ const std::map<std::string, std::pair<int, int>> larger_classes = {
     {"SceneTable", {15, 4}},
     // To be taken apart.
     {"InteriorRows", {14, 6}},
-    {"LookAhead", {15, 11}},
     {"ProximalRows", {30, 17}},
     {"Scene", {20, 7}},
     {"SceneBuilder", {18, 9}},

@@ -24,16 +24,26 @@ struct Gap {
   Real separation = 0;         // [m] along the normal: no more than between their nearest points
 };
 
-/// The shortest way from the vertices of `from` to the core of `to`, if it is shorter than `way`.
+// By which a square may be rounded, and more.
+constexpr double rounded_square = 1 + 1e-5;
+
+/// The shortest way from the vertices of `from` to the core of `to`, if it is shorter than `way`. An edge is
+/// no nearer than the line that it lies on.
 template <Scalar Real>
 void shorten(const RoundedHull<Real>& from, const RoundedHull<Real>& to, Vec2<Real>& way) {
+  Real most = static_cast<Real>(rounded_square) * way.squaredNorm();
   for (int i = 0; i < from.count; ++i) {
     for (int j = 0; j < to.count; ++j) {
-      const Vec2<Real> arm = from.vertex(i) - to.vertex(j), edge = to.vertex(to.next(j)) - to.vertex(j);
+      const Vec2<Real> arm = from.vertex(i) - to.vertex(j);
+      const Real height = to.face_count() > 0 ? to.normal(j).dot(arm) : Real(0);
+      if (height * height > most) continue;
+      const Vec2<Real> edge = to.vertex(to.next(j)) - to.vertex(j);
       const Real squared = edge.squaredNorm();
       const Real share = squared > 0 ? std::clamp(edge.dot(arm) / squared, Real(0), Real(1)) : Real(0);
       const Vec2<Real> other = share * edge - arm;
-      if (other.squaredNorm() < way.squaredNorm()) way = other;
+      if (!(other.squaredNorm() < way.squaredNorm())) continue;
+      way = other;
+      most = static_cast<Real>(rounded_square) * way.squaredNorm();
     }
   }
 }
@@ -66,7 +76,39 @@ Gap<Real> nearest_gap(const RoundedHull<Real>& a, const RoundedHull<Real>& b, Re
   return has_face ? widest : Gap<Real>{.separation = -rounding - radii};
 }
 
+/// [m] How far a shape reaches in a unit direction from the centre of its body's frame.
+template <Scalar Real>
+struct Reach {
+  Vec2<Real> direction;  // in the body's frame
+
+  Real operator()(const Circle<Real>& shape) const { return direction.dot(shape.center) + shape.radius; }
+  Real operator()(const Capsule<Real>& shape) const { return along(shape) + shape.radius; }
+  Real operator()(const Segment<Real>& shape) const { return along(shape); }
+  /// A chain is no hull: its links are.
+  Real operator()(const Chain<Real>&) const { return std::numeric_limits<Real>::infinity(); }
+  Real operator()(const Polygon<Real>& shape) const {
+    Real most = -std::numeric_limits<Real>::infinity();
+    for (const Vec2<Real>& vertex : shape.vertices) most = std::max(most, direction.dot(vertex));
+    return most + shape.radius;
+  }
+
+ private:
+  template <typename Line>
+  Real along(const Line& line) const {
+    return std::max(direction.dot(line.point1), direction.dot(line.point2));
+  }
+};
+
 }  // namespace
+
+template <Scalar Real>
+Real gap_along(const Vec2<Real>& direction, const Shape<Real>& a,
+               const std::type_identity_t<Frame<Real>>& frame_a, const Shape<Real>& b,
+               const std::type_identity_t<Frame<Real>>& frame_b) {
+  const Reach<Real> forth = {frame_a.rotation.transposed_times(direction)};
+  const Reach<Real> back = {frame_b.rotation.transposed_times(-direction)};
+  return direction.dot(frame_b.position - frame_a.position) - std::visit(forth, a) - std::visit(back, b);
+}
 
 template <Scalar Real>
 Frame<Real> Course<Real>::at(Real time) const {
@@ -90,16 +132,23 @@ Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<
     const auto closing_along = [&](const Gap<Real>& gap) { return turning - gap.normal.dot(parting); };
     const Gap<Real> widest = widest_gap(hull_a, hull_b);
     const Real way = std::max(closing_along(widest), Real(0)) * (time - met.time);
-    if (widest.separation - way > far + rounding) return {met.time, widest.separation};
+    if (widest.separation - way > far + rounding) return {met.time, widest.separation, widest.normal};
     const Gap<Real> gap = nearest_gap(hull_a, hull_b, rounding, widest);
     met.separation = gap.separation;
+    met.normal = gap.normal;
     const Real closing = closing_along(gap);
     if (met.separation <= near || !(closing > 0) || !(met.time < time)) return met;
-    if (round == most_rounds) return {met.time, near};
+    if (round == most_rounds) return {met.time, near, gap.normal};
     met.time = std::min(time, met.time + (met.separation - near / 2) / closing);
   }
 }
 
+template float gap_along(const Vec2<float>&, const Shape<float>&, const Frame<float>&, const Shape<float>&,
+                         const Frame<float>&);
+template double gap_along(const Vec2<double>&, const Shape<double>&, const Frame<double>&,
+                          const Shape<double>&, const Frame<double>&);
+template long double gap_along(const Vec2<long double>&, const Shape<long double>&, const Frame<long double>&,
+                               const Shape<long double>&, const Frame<long double>&);
 template struct Course<float>;
 template struct Course<double>;
 template Approach<float> approach(const Shape<float>&, const Course<float>&, const Shape<float>&,

@@ -23,8 +23,9 @@ struct Course {
 /// When two shapes are near, and how far apart they are then.
 template <Scalar Real>
 struct Approach {
-  Real time = 0;        // [s] from now
-  Real separation = 0;  // [m] of their surfaces; negative in overlap
+  Real time = 0;                           // [s] from now
+  Real separation = 0;                     // [m] of their surfaces; negative in overlap
+  Vec2<Real> normal = Vec2<Real>::Zero();  // unit, from a to b: along which they are so far apart
 };
 
 /// The first time within `time` [s] at which the two are no more than `near` [m] (> 0) apart. If there is
@@ -36,5 +37,11 @@ template <Scalar Real>
 Approach<Real> approach(const Shape<Real>& a, const std::type_identity_t<Course<Real>>& course_a,
                         const Shape<Real>& b, const std::type_identity_t<Course<Real>>& course_b, Real time,
                         Real near, Real far = std::numeric_limits<Real>::infinity());
+
+/// [m] How far two shapes are apart along a unit direction from a to b: no more than their surfaces are.
+template <Scalar Real>
+Real gap_along(const Vec2<Real>& direction, const Shape<Real>& a,
+               const std::type_identity_t<Frame<Real>>& frame_a, const Shape<Real>& b,
+               const std::type_identity_t<Frame<Real>>& frame_b);
 
 }  // namespace cairn

@@ -7,8 +7,10 @@
 namespace cairn {
 namespace {
 
-// Of the longer side of a box: how far its proxy reaches beyond it.
+// Of the longer side of a box: how far its proxy reaches beyond it, and how far at most, once the box has
+// become smaller, or has gone to one end of it.
 constexpr double proxy_share = 0.1;
+constexpr double most_share = 0.4;
 
 /// False also for a box that is not a number: it gets a new proxy in every step, which overlaps nothing.
 template <Scalar Real>
@@ -17,8 +19,8 @@ bool lies_in(const Aabb<Real>& box, const Aabb<Real>& proxy) {
 }
 
 template <Scalar Real>
-Aabb<Real> proxy_of(const Aabb<Real>& box) {
-  const Real room = static_cast<Real>(proxy_share) * (box.upper - box.lower).maxCoeff();
+Aabb<Real> grown(const Aabb<Real>& box, double share) {
+  const Real room = static_cast<Real>(share) * (box.upper - box.lower).maxCoeff();
   return {box.lower.array() - room, box.upper.array() + room};
 }
 
@@ -37,8 +39,9 @@ bool NearPairs<Real>::update(Span<const Aabb<Real>> boxes) {
   assert(boxes.size() == movable_.size());
   moved_.clear();
   for (int i = 0; i < boxes.size(); ++i) {
-    if (is_current_ && lies_in(boxes[i], proxies_.box(i))) continue;
-    proxies_.put(i, is_current_ ? proxy_of(boxes[i]) : boxes[i]);
+    const Aabb<Real>& proxy = proxies_.box(i);
+    if (is_current_ && lies_in(boxes[i], proxy) && lies_in(proxy, grown(boxes[i], most_share))) continue;
+    proxies_.put(i, is_current_ ? grown(boxes[i], proxy_share) : boxes[i]);
     moved_.push_back(i);
   }
   if (moved_.empty()) return false;

@@ -12,9 +12,10 @@ namespace cairn {
 ///
 /// Each box lies in a proxy, a box that is larger by a tenth of its longer side all around; or no larger, as
 /// long as the box has not moved: scenery may be so long that a tenth of it holds everything. The pairs are
-/// those whose proxies overlap, so that the list stays as it is until a box leaves its proxy: a new proxy is
-/// put around that box, and its pairs are found anew. Every two boxes that overlap are in the list; which
-/// others are depends on where the boxes were before. Source: the fat boxes of E. Catto's Box2D (2007).
+/// those whose proxies overlap, so that the list stays as it is until a box leaves its proxy, or needs far
+/// less of it: a new proxy is put around that box, and its pairs are found anew. Every two boxes that overlap
+/// are in the list; which others are depends on where the boxes were before. Source: the fat boxes of E.
+/// Catto's Box2D (2007).
 template <Scalar Real>
 class NearPairs {
  public:

@@ -28,8 +28,7 @@ ContactCache<Real>::ContactCache(List<Collider<Real>> colliders, const Scene& sc
     movable_.push_back(scene.bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
   graph_ = ContactGraph<Real>(plan.broadphase, movable_, plan.moves_manifolds);
   frames_.resize(scene.bodies().size());
-  outlook_.take_room(scene.bodies().size(), colliders_->size());
-  rounds_.last.assign(scene.bodies().size(), 0);
+  boxes_ = SweptBoxes<Real>(colliders_->size());
 }
 
 template <Scalar Real>

@@ -7,33 +7,12 @@
 #include "math/list.hpp"
 #include "world/collider.hpp"
 #include "world/contact_graph.hpp"
-#include "world/look_ahead.hpp"
+#include "world/rounds.hpp"
 #include "world/step_report.hpp"
 #include "world/substep.hpp"
+#include "world/swept_boxes.hpp"
 
 namespace cairn {
-
-/// What the round before has seen. A round of looking ahead looks again only at pairs of which a body has
-/// been stopped since.
-template <Scalar Real>
-struct Rounds {
-  /// Of a slot, when it was looked at last.
-  struct Sight {
-    int collider_a = -1;   // of the pair that had the slot then
-    int collider_b = -1;   // likewise
-    int round = -1;        // the number of the round
-    int changes = -1;      // how many there had been
-    int contact = -1;      // its number in that round; below 0: none
-    bool is_slow = false;  // ContactFinder::is_slow()
-  };
-
-  int round = 0;                      // the number of this one
-  int changes = 0;                    // of how bodies go on
-  int first = 0;                      // the change with which this search began
-  PerBody<int> last = {};             // change of each body
-  List<Sight> sights = {};            // of each slot
-  List<Contact<Real>> contacts = {};  // of the round before
-};
 
 /// The shapes of a world, which pairs of them are near, what touches, and what the rows of contacts gave.
 /// Contacts lie in the problem of a StepRecord, in the order in which they are solved.
@@ -88,8 +67,11 @@ class ContactCache {
   // Scratch memory, kept so that a steady step allocates nothing.
   List<char> movable_;           // of each collider: not of a pair where neither is
   PerBody<Frame<Real>> frames_;  // where contacts were sought
-  LookAhead<Real> outlook_;      // over the time for which they are sought
+  PerBody<Vec3<Real>> going_;    // velocities, should nothing be in the way
+  LookAhead<Real> outlook_;      // over the time for which contacts are sought
+  SweptBoxes<Real> boxes_;       // over the same time
   Rounds<Real> rounds_;          // of looking ahead
+  List<Contact<Real>> sorted_;
 };
 
 }  // namespace cairn

@@ -1,4 +1,4 @@
-// Floor 5. What touches what: from poses to manifolds.
+// Floor 5. What touches what: from poses to contacts.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,7 @@ bool is_touching(const Manifold<Real>& manifold, Real near) {
 template <Scalar Real>
 void ContactFinder<Real>::find() {
   const Real time = step_.plan.moves_manifolds ? step_.step_dt : step_.dt;
-  cache_.outlook_.follow_crowd(*cache_.colliders_, step_.state.velocity, time);
+  cache_.boxes_.follow_crowd(*cache_.colliders_, step_.state.velocity, time);
   find_manifolds();
   if (!step_.sleep) return;
   // What wakes may touch, or hold, what else sleeps.
@@ -45,43 +45,73 @@ void ContactFinder<Real>::find_manifolds() {
   cache_.candidates_.clear();
   record_.sensed.clear();
   if (!step_.plan.collision) return;
+  cache_.graph_.sort_slots();
   locate_bodies();
   look_ahead(step_.plan.moves_manifolds ? step_.step_dt : step_.dt);
   if (step_.sleep) step_.sleep->mark_movable(step_.state.velocity, cache_.movable_);
-  find_with_others([this] { meet_all(); });
+  find_with_others([this](int since) { meet_all(since); });
   std::sort(record_.sensed.begin(), record_.sensed.end());
   record_.sensed.erase(std::unique(record_.sensed.begin(), record_.sensed.end()), record_.sensed.end());
   if (!step_.plan.moves_manifolds) return;
+  choose_candidates();
   look_ahead(step_.dt);
   put_manifolds();
 }
 
 /// What is stopped, or set moving, may be in the way of others or meet them: they are looked for again.
+/// Calls find(since) for each round: it looks again at what has changed since so many changes, and at what
+/// waits.
 template <Scalar Real>
 template <typename Find>
 void ContactFinder<Real>::find_with_others(const Find& find) {
-  stops_ = {};
-  for (int round = 0; round < most_rounds; ++round) {
+  record_.problem.contacts.clear();
+  cache_.touching_.clear();
+  int since = -1;
+  int round = 0;
+  do {
+    stops_.of_movable_wait = round == 0 || stops_.are_new;
     stops_.are_new = stops_.are_waiting = false;
-    find();
-    if (!stops_.are_new && !stops_.are_waiting) return;
-    stops_.of_movable_wait = stops_.are_new;
-  }
+    const int changes = cache_.outlook_.changes();
+    find(since);
+    since = changes;
+  } while (++round < most_rounds && (stops_.are_new || stops_.are_waiting));
+  if (round > 1) sort_contacts();
 }
 
 /// All pairs that are near, or come near.
 template <Scalar Real>
-void ContactFinder<Real>::meet_all() {
-  cache_.outlook_.find_boxes(*cache_.colliders_, cache_.frames_,
-                             static_cast<Real>(*step_.plan.settings.speculative_margin) / 2);
-  cache_.graph_.update(cache_.outlook_.swept_boxes(),
+void ContactFinder<Real>::meet_all(int since) {
+  cache_.boxes_.find(*cache_.colliders_, cache_.frames_,
+                     static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, cache_.outlook_, since);
+  cache_.graph_.update(cache_.boxes_.boxes(),
                        [this](int i, int j) { return cache_.may_meet(step_.scene, i, j); });
-  record_.sensed.clear();
-  cache_.candidates_.clear();
-  if (!step_.plan.moves_manifolds) begin_round();
   for (NearSlot& near : cache_.graph_.order()) {
     Deadline::go_on();
-    meet(near);
+    const BodyId a = (*cache_.colliders_)[near.shapes.first].body;
+    const BodyId b = (*cache_.colliders_)[near.shapes.second].body;
+    if (looks_again(a, b, near.slot, since)) meet(near);
+  }
+}
+
+/// Whether one of two bodies goes on in another way, or their pair waits.
+template <Scalar Real>
+bool ContactFinder<Real>::looks_again(BodyId a, BodyId b, int slot, int since) const {
+  if (cache_.outlook_.has_changed(a, since) || cache_.outlook_.has_changed(b, since)) return true;
+  const Sight<Real>* const sight = cache_.rounds_.seen(slot);
+  return sight != nullptr && sight->waits;
+}
+
+/// Those of which a manifold moves with the bodies.
+template <Scalar Real>
+void ContactFinder<Real>::choose_candidates() {
+  for (const NearSlot& near : cache_.graph_.order()) {
+    if (cache_.rounds_.seen(near.slot) == nullptr) continue;
+    const LastingManifold<Real>& lasting = cache_.graph_.lasting(near.slot);
+    if (!lasting.is_found || lasting.manifold.count > 0) {
+      cache_.candidates_.push_back(near.slot);
+    } else {
+      cache_.graph_[near.slot].impulses.count = 0;
+    }
   }
 }
 
@@ -98,9 +128,10 @@ void ContactFinder<Real>::move() {
 /// The same once it is known where the bodies are.
 template <Scalar Real>
 void ContactFinder<Real>::put_manifolds() {
-  find_with_others([this] {
-    begin_round();
+  find_with_others([this](int since) {
     for (const int number : cache_.candidates_) {
+      const ContactSlot<Real>& slot = cache_.graph_[number];
+      if (!looks_again(slot.a, slot.b, number, since)) continue;
       if (cache_.graph_.lasting(number).is_found) {
         touch(number, moved_manifold(number));
       } else {
@@ -110,14 +141,20 @@ void ContactFinder<Real>::put_manifolds() {
   });
 }
 
-/// Nothing touches yet.
+/// Rounds have put some behind others.
 template <Scalar Real>
-void ContactFinder<Real>::begin_round() {
-  List<Contact<Real>>& contacts = record_.problem.contacts;
-  std::swap(contacts, cache_.rounds_.contacts);
-  cache_.rounds_.round += 1;
-  contacts.clear();
+void ContactFinder<Real>::sort_contacts() {
+  List<Contact<Real>>&contacts = record_.problem.contacts, &sorted = cache_.sorted_;
+  sorted.clear();
+  make_room(sorted, contacts.size());
   cache_.touching_.clear();
+  for (const NearSlot& near : cache_.graph_.order()) {
+    const Sight<Real>* const sight = cache_.rounds_.seen(near.slot);
+    if (sight == nullptr || sight->contact < 0) continue;
+    sorted.push_back(contacts[sight->contact]);
+    cache_.touching_.push_back(near.slot);
+  }
+  contacts.swap(sorted);
 }
 
 /// The manifold of a slot where its bodies are now.
@@ -194,22 +231,33 @@ void ContactFinder<Real>::find_lasting_manifold(int number) {
 /// Takes a manifold into the step, if it has any point.
 template <Scalar Real>
 void ContactFinder<Real>::touch(int number, const Manifold<Real>& manifold) {
-  ContactSlot<Real>& slot = cache_.graph_[number];
-  if (manifold.count == 0) {
-    slot.impulses.count = 0;
-    return;
-  }
+  if (manifold.count == 0) cache_.graph_[number].impulses.count = 0;
+  keep_sight(number, manifold);
+}
+
+/// Puts what is seen of a slot in the place of what was seen before.
+template <Scalar Real>
+void ContactFinder<Real>::keep_sight(int number, const Manifold<Real>& manifold) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  Sight<Real>& sight = cache_.rounds_.of(slot, number);
   List<Contact<Real>>& contacts = record_.problem.contacts;
-  make_room(contacts, contacts.size() + 1);
-  contacts.push_back({.a = slot.a,
-                      .b = slot.b,
-                      .manifold = manifold,
-                      .center_a = step_.state.pose[slot.a].position,
-                      .center_b = step_.state.pose[slot.b].position,
-                      .friction = slot.friction,
-                      .restitution = slot.restitution,
-                      .slop_limit = slot.slop_limit});
-  cache_.touching_.push_back(number);
+  if (manifold.count == 0) {
+    sight.contact = -1;
+  } else if (sight.contact >= 0) {
+    contacts[sight.contact].manifold = manifold;
+  } else {
+    sight.contact = contacts.size();
+    make_room(contacts, contacts.size() + 1);
+    contacts.push_back({.a = slot.a,
+                        .b = slot.b,
+                        .manifold = manifold,
+                        .center_a = step_.state.pose[slot.a].position,
+                        .center_b = step_.state.pose[slot.b].position,
+                        .friction = slot.friction,
+                        .restitution = slot.restitution,
+                        .slop_limit = slot.slop_limit});
+    cache_.touching_.push_back(number);
+  }
 }
 
 /// One pair that is near: its manifold, if the two touch.
@@ -217,27 +265,28 @@ template <Scalar Real>
 void ContactFinder<Real>::meet(NearSlot& near) {
   const auto [shape_a, shape_b] = near.shapes;
   if (step_.sleep && !cache_.movable_[shape_a] && !cache_.movable_[shape_b]) return;  // as they fell asleep
-  if (!cache_.outlook_.meet(shape_a, shape_b)) return cache_.graph_.remove_slot(near);
+  if (!cache_.boxes_.meet(shape_a, shape_b)) return cache_.graph_.remove_slot(near);
   if (near.slot == NearSlot::none) cache_.graph_.add_slot(near, cache_.make_slot(step_, shape_a, shape_b));
-  const int number = near.slot;
-  ContactSlot<Real>& slot = cache_.graph_[number];
+  const ContactSlot<Real>& slot = cache_.graph_[near.slot];
   if (slot.sensed) {
     const bool touches = collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], 0).count > 0;
     if (touches) record_.sensed.push_back(std::minmax(slot.a, slot.b));
-    return;
-  }
-  if (!step_.plan.moves_manifolds) {
-    touch_ahead(number);
-    return;
-  }
-  const LastingManifold<Real>& lasting = cache_.graph_.lasting(number);
-  if (!has_lasting_manifold(number)) find_lasting_manifold(number);
-  if (!lasting.is_found && !is_slow(slot, travel(slot))) stop(slot, manifold_ahead(slot, travel(slot)));
-  if (!lasting.is_found || lasting.manifold.count > 0) {
-    cache_.candidates_.push_back(number);
+  } else if (step_.plan.moves_manifolds) {
+    meet_for_step(near.slot);
   } else {
-    slot.impulses.count = 0;
+    touch_ahead(near.slot);
   }
+}
+
+/// A manifold that moves with the bodies, or what stops them.
+template <Scalar Real>
+void ContactFinder<Real>::meet_for_step(int number) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  if (is_news(slot, number)) {
+    if (!has_lasting_manifold(number)) find_lasting_manifold(number);
+    if (!cache_.graph_.lasting(number).is_found) keep_sight(number, manifold_ahead(number, travel(slot)));
+  }
+  if (!cache_.graph_.lasting(number).is_found) stop(number);
 }
 
 template class ContactFinder<float>;

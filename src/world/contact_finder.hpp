@@ -30,25 +30,33 @@ class ContactFinder {
 
   void find_manifolds();
   void put_manifolds();
-  void meet_all();
+  void meet_all(int since);
+  bool looks_again(BodyId a, BodyId b, int slot, int since) const;
+  void choose_candidates();
   template <typename Find>
   void find_with_others(const Find& find);
   void locate_bodies();
   void look_ahead(Real time);
   typename LookAhead<Real>::Places places() const { return {step_.state.pose, cache_.frames_}; }
   Real travel(const ContactSlot<Real>& slot) const;
+  Real slow_way(const ContactSlot<Real>& slot) const;
   bool is_slow(const ContactSlot<Real>& slot, Real travel) const;
   Real nearness(const ContactSlot<Real>& slot) const;
   Real margin_for(const ContactSlot<Real>& slot, Real travel) const;
-  void stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold);
+  bool is_news(const ContactSlot<Real>& slot, int number);
+  void stop(int slot);
   void meet(NearSlot& near);
-  void begin_round();
+  void meet_for_step(int slot);
+  void sort_contacts();
+  void keep_sight(int slot, const Manifold<Real>& manifold);
   void touch(int slot, const Manifold<Real>& manifold);
   void touch_ahead(int slot);
   Manifold<Real> moved_manifold(int slot);
-  Manifold<Real> manifold_ahead(const ContactSlot<Real>& slot, Real travel);
+  Real leeway_of(const ContactSlot<Real>& slot) const;
+  bool stay_apart(const ContactSlot<Real>& slot, const Vec2<Real>& direction) const;
+  Manifold<Real> manifold_ahead(int slot, Real travel);
   Manifold<Real> manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
-                                   const Course<Real>& b, Real room, Real margin) const;
+                                   const Course<Real>& b, Real room, Real margin, Vec2<Real>& apart) const;
   Manifold<Real> collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
                               const Frame<Real>& frame_b, Real margin) const;
   Pose<Real> relative_pose(const ContactSlot<Real>& slot, bool a_moves) const;

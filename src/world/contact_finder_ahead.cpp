@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "world/contact_finder.hpp"
 
@@ -27,24 +28,34 @@ Real least_distance(const Course<Real>& a, const Course<Real>& b, Real time) {
   return (arm + share * way).norm();
 }
 
+/// [m] How far a shape goes in a unit direction at most; negative where it goes back.
+template <Scalar Real>
+Real most_way(const LookAhead<Real>& outlook, const Vec2<Real>& direction, const Collider<Real>& it) {
+  Real most = -std::numeric_limits<Real>::infinity();
+  outlook.for_each_velocity(it.body, [&](const Vec3<Real>& velocity) {
+    const Real turning = std::abs(velocity.z()) * (it.form->radius - it.form->core_radius);
+    most = std::max(most, direction.dot(velocity.template head<2>()) + turning);
+  });
+  return outlook.time() * most;
+}
+
 }  // namespace
 
 /// With which velocities bodies would go on for `time` [s], should nothing be in their way: mean ones, as
 /// gravity adds its share in each substep.
 template <Scalar Real>
 void ContactFinder<Real>::look_ahead(Real time) {
-  PerBody<Vec3<Real>>& velocity = cache_.outlook_.begin(time);
-  velocity = step_.state.velocity;
-  step_.add_forces(velocity, (time + step_.dt) / 2);
-  cache_.outlook_.stop_nobody();
-  cache_.rounds_.first = ++cache_.rounds_.changes;
+  cache_.going_ = step_.state.velocity;
+  step_.add_forces(cache_.going_, (time + step_.dt) / 2);
+  cache_.outlook_.begin(time, cache_.going_);
+  cache_.rounds_.begin();
 }
 
 /// [m] How far two shapes may come beside each other.
 template <Scalar Real>
 Real ContactFinder<Real>::travel(const ContactSlot<Real>& slot) const {
   return cache_.outlook_.travel((*cache_.colliders_)[slot.collider_a], (*cache_.colliders_)[slot.collider_b],
-                                places());
+                                step_.state.pose, slow_way(slot));
 }
 
 /// [m] What a manifold may be off by.
@@ -53,10 +64,15 @@ Real ContactFinder<Real>::nearness(const ContactSlot<Real>& slot) const {
   return static_cast<Real>(keep_share) * slot.slop_limit;
 }
 
-/// Whether a pair comes so little way that all it can touch is what is near now.
+/// [m] Of a pair that comes no farther, all it can touch is near now.
+template <Scalar Real>
+Real ContactFinder<Real>::slow_way(const ContactSlot<Real>& slot) const {
+  return std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, slot.slop_limit);
+}
+
 template <Scalar Real>
 bool ContactFinder<Real>::is_slow(const ContactSlot<Real>& slot, Real travel) const {
-  return travel <= std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, slot.slop_limit);
+  return travel <= slow_way(slot);
 }
 
 /// [m] Below it points have rows. One end of a body that comes down is thrown down by what stops the other.
@@ -66,55 +82,70 @@ Real ContactFinder<Real>::margin_for(const ContactSlot<Real>& slot, Real travel)
   return is_slow(slot, travel) ? margin : margin + 2 * travel;
 }
 
-/// Takes into the step what a pair will touch with. Where neither body has been stopped since the round
-/// before looked, that is what it found.
+/// Whether a pair has not been seen in this search, or one of its bodies has been stopped since.
+template <Scalar Real>
+bool ContactFinder<Real>::is_news(const ContactSlot<Real>& slot, int number) {
+  Sight<Real>& sight = cache_.rounds_.of(slot, number);
+  const int since = std::exchange(sight.changes, cache_.outlook_.changes());
+  return since < 0 || cache_.outlook_.has_changed(slot.a, since) ||
+         cache_.outlook_.has_changed(slot.b, since);
+}
+
+/// Takes into the step what a pair will touch with.
 template <Scalar Real>
 void ContactFinder<Real>::touch_ahead(int number) {
   const ContactSlot<Real>& slot = cache_.graph_[number];
-  Rounds<Real>& rounds = cache_.rounds_;
-  if (number >= rounds.sights.size()) rounds.sights.resize(number + 1);
-  auto& sight = rounds.sights[number];
-  const bool is_same = sight.collider_a == slot.collider_a && sight.collider_b == slot.collider_b;
-  const bool goes_on = is_same && sight.round == rounds.round - 1 && sight.changes >= rounds.first &&
-                       rounds.last[slot.a] <= sight.changes && rounds.last[slot.b] <= sight.changes;
-  Manifold<Real> manifold;
-  if (!goes_on) {
+  if (is_news(slot, number)) {
     const Real way = travel(slot);
-    sight.is_slow = is_slow(slot, way);
-    manifold = manifold_ahead(slot, way);
-  } else if (sight.contact >= 0) {
-    manifold = rounds.contacts[sight.contact].manifold;
+    cache_.rounds_.of(slot, number).is_slow = is_slow(slot, way);
+    touch(number, manifold_ahead(number, way));
   }
-  sight = {.collider_a = slot.collider_a,
-           .collider_b = slot.collider_b,
-           .round = rounds.round,
-           .changes = rounds.changes,
-           .contact = manifold.count > 0 ? record_.problem.contacts.size() : -1,
-           .is_slow = sight.is_slow};
-  if (!sight.is_slow) stop(slot, manifold);
-  touch(number, manifold);
+  stop(number);
+}
+
+/// [m] By how much others may turn the two aside.
+template <Scalar Real>
+Real ContactFinder<Real>::leeway_of(const ContactSlot<Real>& slot) const {
+  return cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
+}
+
+/// Whether two shapes surely stay farther from each other along a direction than anything that they may do
+/// needs.
+template <Scalar Real>
+bool ContactFinder<Real>::stay_apart(const ContactSlot<Real>& slot, const Vec2<Real>& direction) const {
+  const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
+  const Frame<Real>&frame_a = cache_.frames_[slot.a], &frame_b = cache_.frames_[slot.b];
+  const Real room = std::max(static_cast<Real>(*step_.plan.settings.speculative_margin), nearness(slot));
+  const Real far = (frame_b.position - frame_a.position).cwiseAbs().sum() + a.form->radius + b.form->radius;
+  const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * far;
+  const Real closing =
+      most_way(cache_.outlook_, direction, a) + most_way<Real>(cache_.outlook_, -direction, b);
+  return gap_along(direction, *a.form->shape, frame_a, *b.form->shape, frame_b) >
+         room + leeway_of(slot) + rounding + std::max(closing, Real(0));
 }
 
 /// What a pair that travels so far [m] will touch with.
 template <Scalar Real>
-Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot, Real way) {
+Manifold<Real> ContactFinder<Real>::manifold_ahead(int number, Real way) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  Vec2<Real>& apart = cache_.rounds_.of(slot, number).apart;
   const Real margin = margin_for(slot, way);
   if (is_slow(slot, way)) return collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], margin);
+  if (stay_apart(slot, apart)) return {};
   const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
   const Real room = static_cast<Real>(*step_.plan.settings.speculative_margin);
   Manifold<Real> manifold;
   cache_.outlook_.for_each_course(a, b, places(), [&](const Course<Real>& of_a, const Course<Real>& of_b) {
-    if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin);
+    if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin, apart);
   });
-  const Real leeway =
-      cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
+  const Real leeway = leeway_of(slot);
   if (manifold.count == 0 && leeway > 0) {
     std::pair<Course<Real>, Course<Real>> last;
     cache_.outlook_.for_each_course(a, b, places(),
                                     [&last](const Course<Real>& of_a, const Course<Real>& of_b) {
                                       last = {of_a, of_b};
                                     });
-    manifold = manifold_of_touch(slot, last.first, last.second, room + leeway, margin);
+    manifold = manifold_of_touch(slot, last.first, last.second, room + leeway, margin, apart);
   }
   return manifold;
 }
@@ -124,13 +155,15 @@ Manifold<Real> ContactFinder<Real>::manifold_ahead(const ContactSlot<Real>& slot
 /// that of a pose in which they begin to part, if they are nearer than `room` [m] there.
 template <Scalar Real>
 Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
-                                                      const Course<Real>& b, Real room, Real margin) const {
+                                                      const Course<Real>& b, Real room, Real margin,
+                                                      Vec2<Real>& apart) const {
   const ColliderForm<Real>& form_a = *(*cache_.colliders_)[slot.collider_a].form;
   const ColliderForm<Real>& form_b = *(*cache_.colliders_)[slot.collider_b].form;
   const Real near = nearness(slot), most = form_a.radius + form_b.radius + std::max(room, near);
   if (least_distance(a, b, cache_.outlook_.time()) > most) return {};
   const Approach<Real> met =
       approach(*form_a.shape, a, *form_b.shape, b, cache_.outlook_.time(), near, std::max(room, near));
+  apart = met.normal;
   if (met.separation > near && met.separation >= room) return {};
   const Frame<Real> then_a = a.at(met.time), then_b = b.at(met.time);
   Manifold<Real> manifold = collide_slot(slot, then_a, then_b, margin);
@@ -151,7 +184,12 @@ Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& s
 /// Each is stopped once in a step: from then on it is in the way of others as if nothing moved it. So two
 /// that can both be moved wait until others have stopped whom they can, whatever the order of pairs.
 template <Scalar Real>
-void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Real>& manifold) {
+void ContactFinder<Real>::stop(int number) {
+  const ContactSlot<Real>& slot = cache_.graph_[number];
+  Sight<Real>& sight = cache_.rounds_.of(slot, number);
+  sight.waits = false;
+  if (sight.is_slow || sight.contact < 0) return;
+  const Manifold<Real>& manifold = record_.problem.contacts[sight.contact].manifold;
   const Vec3<Real> still = Vec3<Real>::Zero();
   const Vec3<Real> light_a = cache_.outlook_.is_stopped(slot.a) ? still : step_.state.inverse_mass[slot.a];
   const Vec3<Real> light_b = cache_.outlook_.is_stopped(slot.b) ? still : step_.state.inverse_mass[slot.b];
@@ -168,18 +206,14 @@ void ContactFinder<Real>::stop(const ContactSlot<Real>& slot, const Manifold<Rea
         dot(push_a, cache_.outlook_.stopped(slot.a)) + dot(push_b, cache_.outlook_.stopped(slot.b));
     const Real missing = -point.separation / cache_.outlook_.time() - parting;
     if (is_slow(slot, cache_.outlook_.time() * missing)) continue;
-    stops_.are_waiting = stops_.are_waiting || waits;
+    sight.waits = waits;
+    stops_.are_waiting |= waits;
     if (waits) return;
     const Vec3<Real> pull_a = light_a.cwiseProduct(push_a), pull_b = light_b.cwiseProduct(push_b);
     const Real rebound = slot.restitution > 0 ? -(1 + slot.restitution) * parting : Real(0);
     const Real impulse = std::max(missing, rebound) / (dot(push_a, pull_a) + dot(push_b, pull_b));
-    const auto change = [&](BodyId body, const Vec3<Real>& light, const Vec3<Real>& pull) {
-      if (light.isZero(0)) return;
-      cache_.outlook_.stop(body, impulse * pull);
-      cache_.rounds_.last[body] = ++cache_.rounds_.changes;
-    };
-    change(slot.a, light_a, pull_a);
-    change(slot.b, light_b, pull_b);
+    if (!light_a.isZero(0)) cache_.outlook_.stop(slot.a, impulse * pull_a);
+    if (!light_b.isZero(0)) cache_.outlook_.stop(slot.b, impulse * pull_b);
     is_new = true;
   }
   if (!is_new) return;

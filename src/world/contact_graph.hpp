@@ -81,7 +81,6 @@ class ContactGraph {
     for (; old != order_.end(); ++old) remove_slot(*old);
     order_.swap(next_);
     next_.reserve(order_.size());  // now, not when a shape next leaves its proxy
-    if (added_ > few_added + slots_.size() / 4) sort_slots();
   }
 
   /// Gives a pair without a slot that one.
@@ -106,6 +105,26 @@ class ContactGraph {
   /// Of a pair of which nothing is known any more.
   void remove_slot(NearSlot& near) {
     if (near.slot != NearSlot::none) free_.push_back(std::exchange(near.slot, NearSlot::none));
+  }
+
+  /// Gives slots other numbers: a step goes through all of them several times, which is fastest where they
+  /// lie one behind the other. It does nothing unless many were added.
+  void sort_slots() {
+    if (added_ <= few_added + slots_.size() / 4) return;
+    List<ContactSlot<Real>> sorted;
+    List<LastingManifold<Real>> lasting;
+    sorted.reserve(slots_.size());
+    lasting.reserve(lasting_.size());
+    for (NearSlot& near : order_) {
+      if (near.slot == NearSlot::none) continue;
+      sorted.push_back(slots_[near.slot]);
+      if (lasts_) lasting.push_back(lasting_[near.slot]);
+      near.slot = sorted.size() - 1;
+    }
+    slots_.swap(sorted);
+    lasting_.swap(lasting);
+    free_.clear();
+    added_ = 0;
   }
 
   /// Begins with slots of another graph, in the order of their shapes, and their lasting manifolds, if they
@@ -143,24 +162,6 @@ class ContactGraph {
 
  private:
   static constexpr int few_added = 256;  // as many fit into the nearest memory in any order
-
-  /// A step goes through all slots several times: that is fastest where they lie one behind the other.
-  void sort_slots() {
-    List<ContactSlot<Real>> sorted;
-    List<LastingManifold<Real>> lasting;
-    sorted.reserve(slots_.size());
-    lasting.reserve(lasting_.size());
-    for (NearSlot& near : order_) {
-      if (near.slot == NearSlot::none) continue;
-      sorted.push_back(slots_[near.slot]);
-      if (lasts_) lasting.push_back(lasting_[near.slot]);
-      near.slot = sorted.size() - 1;
-    }
-    slots_.swap(sorted);
-    lasting_.swap(lasting);
-    free_.clear();
-    added_ = 0;
-  }
 
   NearPairs<Real> near_;
   List<ContactSlot<Real>> slots_;        // mostly in the order of their pairs

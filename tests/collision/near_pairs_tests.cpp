@@ -66,6 +66,21 @@ TEST_CASE("near pairs hold all that overlap, whether a few boxes move or all of 
   }
 }
 
+TEST_CASE("a box that was large for once is near no more than one that never was") {
+  test::Random random(5);
+  MovingCrowd crowd(200, random);
+  NearPairs<double> near(BroadphaseKind::grid, crowd.movable);
+  near.update(crowd.boxes);
+  const List<Aabb<double>> before = crowd.boxes;
+  for (const double reach : {1.0, 8.0, 1e3}) {
+    for (Aabb<double>& box : crowd.boxes) box = {box.lower.array() - reach, box.upper.array() + reach};
+    near.update(crowd.boxes);
+    crowd.boxes = before;
+    near.update(crowd.boxes);
+    check_pairs(crowd, near.pairs());
+  }
+}
+
 TEST_CASE("the list of near pairs stays while boxes stay in their proxies") {
   test::Random random(3);
   MovingCrowd crowd(50, random);

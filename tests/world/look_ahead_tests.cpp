@@ -149,17 +149,16 @@ TEST_CASE("boxes that come together within the time meet, and overlap in what th
   int meetings = 0;
   for (const double crowd : {0.0, 1e3}) {
     LookAhead<double> outlook;
-    outlook.take_room(scene.bodies().size(), colliders.size());
+    SweptBoxes<double> boxes(colliders.size());
     PerBody<Vec3<double>> velocity(scene.bodies().size(), Vec3<double>::Zero());
     PerBody<Frame<double>> now, then;
     for (const BodyId body : scene.bodies().indices()) {
       velocity[body] = {crowd + 20 * number(), -crowd + 20 * number(), 5 * number()};
       now.push_back(scene.bodies()[body].pose);
     }
-    outlook.follow_crowd(colliders, velocity, time);
-    outlook.begin(time) = velocity;
-    outlook.stop_nobody();
-    outlook.find_boxes(colliders, now, 0);
+    boxes.follow_crowd(colliders, velocity, time);
+    outlook.begin(time, velocity);
+    boxes.find(colliders, now, 0, outlook, -1);
     for (int k = 0; k <= 50; ++k) {
       then.clear();
       for (const BodyId body : scene.bodies().indices()) {
@@ -174,8 +173,8 @@ TEST_CASE("boxes that come together within the time meet, and overlap in what th
           const Aabb<double> b = bounding_box(*colliders[j].form->shape, then[colliders[j].body]);
           if (!a.overlaps(b)) continue;
           ++meetings;
-          CHECK(outlook.meet(i, j));
-          CHECK(outlook.swept_boxes()[i].overlaps(outlook.swept_boxes()[j]));
+          CHECK(boxes.meet(i, j));
+          CHECK(boxes.boxes()[i].overlaps(boxes.boxes()[j]));
         }
       }
     }
@@ -212,10 +211,6 @@ TEST_CASE("what turns together as one does not come closer") {
   const List<Collider<double>> colliders = make_colliders<double>(scene);
   World<double> world(scene);
   LookAhead<double> outlook;
-  outlook.take_room(scene.bodies().size(), colliders.size());
-  outlook.begin(1) = world.bodies().velocity;
-  outlook.stop_nobody();
-  PerBody<Frame<double>> frames;
-  for (const Pose<double>& pose : world.bodies().pose) frames.push_back(pose);
-  CHECK(outlook.travel(colliders[0], colliders[1], {world.bodies().pose, frames}) < 1e-12);
+  outlook.begin(1, world.bodies().velocity);
+  CHECK(outlook.travel(colliders[0], colliders[1], world.bodies().pose) < 1e-12);
 }
