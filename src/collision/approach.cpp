@@ -147,8 +147,6 @@ template float gap_along(const Vec2<float>&, const Shape<float>&, const Frame<fl
                          const Frame<float>&);
 template double gap_along(const Vec2<double>&, const Shape<double>&, const Frame<double>&,
                           const Shape<double>&, const Frame<double>&);
-template long double gap_along(const Vec2<long double>&, const Shape<long double>&, const Frame<long double>&,
-                               const Shape<long double>&, const Frame<long double>&);
 template struct Course<float>;
 template struct Course<double>;
 template Approach<float> approach(const Shape<float>&, const Course<float>&, const Shape<float>&,

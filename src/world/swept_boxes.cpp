@@ -67,6 +67,5 @@ bool SweptBoxes<Real>::meet(int i, int j) const {
 
 template class SweptBoxes<float>;
 template class SweptBoxes<double>;
-template class SweptBoxes<long double>;
 
 }  // namespace cairn
