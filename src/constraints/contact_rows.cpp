@@ -95,16 +95,6 @@ int contact_row_count(const Contact<Real>& contact, const VelocityProblem<Real>&
 }
 
 template <Scalar Real>
-std::uint64_t contact_part(const Manifold<Real>& manifold, int rows, int k) {
-  if (rows == 2 * manifold.count) {
-    const std::uint32_t feature = manifold.points[k / 2].feature;
-    return k % 2 == 0 ? normal_part(feature) : friction_part(feature);
-  }
-  return k < manifold.count ? normal_part(manifold.points[k].feature)
-                            : friction_part(manifold.points[0].feature);
-}
-
-template <Scalar Real>
 void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real threshold,
           const VelocityProblem<Real>& problem) {
   const RowRule<Real>& rule = problem.rule;
@@ -163,14 +153,12 @@ void write_contact_rows(VelocityProblem<Real>& problem, List<SecondRow<Real>>* s
 }
 
 template int contact_row_count(const Contact<float>&, const VelocityProblem<float>&);
-template std::uint64_t contact_part(const Manifold<float>&, int, int);
 template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
 template void add_contact_blocks(VelocityProblem<float>&, int&);
 template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&,
                                  List<SecondRow<float>>*);
 template void write_contact_rows(VelocityProblem<float>&, List<SecondRow<float>>*);
 template int contact_row_count(const Contact<double>&, const VelocityProblem<double>&);
-template std::uint64_t contact_part(const Manifold<double>&, int, int);
 template void meet(Contact<double>&, const PerBody<Vec3<double>>&, double, const VelocityProblem<double>&);
 template void add_contact_blocks(VelocityProblem<double>&, int&);
 template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&,

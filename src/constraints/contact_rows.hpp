@@ -16,7 +16,12 @@ constexpr std::uint64_t normal_part(std::uint32_t feature) { return std::uint64_
 constexpr std::uint64_t friction_part(std::uint32_t feature) { return normal_part(feature) | 1; }
 /// RowKey::part of the k-th of so many rows of a contact.
 template <Scalar Real>
-std::uint64_t contact_part(const Manifold<Real>& manifold, int rows, int k);
+std::uint64_t contact_part(const Manifold<Real>& manifold, int rows, int k) {
+  const bool per_point = rows == 2 * manifold.count;
+  if (!per_point && k >= manifold.count) return friction_part(manifold.points[0].feature);
+  const std::uint32_t feature = manifold.points[per_point ? k / 2 : k].feature;
+  return per_point && k % 2 == 1 ? friction_part(feature) : normal_part(feature);
+}
 
 /// Decides how the bodies of a contact meet in the substep of a problem, whose velocities and rule are those
 /// of the substep without constraints. A point rebounds with e times its approach speed in `before` [m/s],
