@@ -17,7 +17,7 @@ namespace cairn {
 template <Scalar Real>
 Manifold<Real> collide(const Shape<Real>& a, const std::type_identity_t<Frame<Real>>& frame_a,
                        const Shape<Real>& b, const std::type_identity_t<Frame<Real>>& frame_b, Real margin,
-                       const std::type_identity_t<SurroundingsOf<Real>>& around) {
+                       const std::type_identity_t<NeighboursOf<Real>>& around) {
   const Vec2<Real>& origin = frame_a.position;
   const RoundedHull<Real> hull_a = rounded_hull(a, frame_a, origin);
   const RoundedHull<Real> hull_b = rounded_hull(b, frame_b, origin);
@@ -37,8 +37,8 @@ Manifold<Real> collide(const Shape<Real>& a, const std::type_identity_t<Frame<Re
 }
 
 template Manifold<float> collide(const Shape<float>&, const Frame<float>&, const Shape<float>&,
-                                 const Frame<float>&, float, const SurroundingsOf<float>&);
+                                 const Frame<float>&, float, const NeighboursOf<float>&);
 template Manifold<double> collide(const Shape<double>&, const Frame<double>&, const Shape<double>&,
-                                  const Frame<double>&, double, const SurroundingsOf<double>&);
+                                  const Frame<double>&, double, const NeighboursOf<double>&);
 
 }  // namespace cairn

@@ -4,24 +4,24 @@
 #include <type_traits>
 
 #include "collision/manifold.hpp"
-#include "collision/surroundings.hpp"
+#include "collision/neighbours.hpp"
 #include "geometry/shape.hpp"
 
 namespace cairn {
 
 /// What lies beside two shapes: of one of them at most, as one of them moves. Null: nothing.
 template <Scalar Real>
-struct SurroundingsOf {
-  const Surroundings<Real>* a = nullptr;  // of the first shape
-  const Surroundings<Real>* b = nullptr;  // of the second shape
+struct NeighboursOf {
+  const Neighbours<Real>* a = nullptr;  // of the first shape
+  const Neighbours<Real>* b = nullptr;  // of the second shape
 };
 
 /// The contact of two shapes of bodies in these frames: points whose separation is below `margin` [m] (>= 0).
 /// Separation is exact for face-vertex, vertex-vertex and round contacts. collider_a and collider_b stay 0.
-/// Of a chain it takes the links, each as a segment with its surroundings.
+/// Of a chain it takes the links, each as a segment with its neighbours.
 template <Scalar Real>
 Manifold<Real> collide(const Shape<Real>& a, const std::type_identity_t<Frame<Real>>& frame_a,
                        const Shape<Real>& b, const std::type_identity_t<Frame<Real>>& frame_b, Real margin,
-                       const std::type_identity_t<SurroundingsOf<Real>>& around = {});
+                       const std::type_identity_t<NeighboursOf<Real>>& around = {});
 
 }  // namespace cairn

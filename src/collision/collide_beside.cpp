@@ -27,11 +27,11 @@ Vec2<Real> middle_of(const RoundedHull<Real>& hull) {
   return sum / static_cast<Real>(hull.count);
 }
 
-/// The hull that stays, in its surroundings, and the one that moves.
+/// The hull that stays, in its neighbours, and the one that moves.
 template <Scalar Real>
 class Beside {
  public:
-  Beside(const Pair<Real>& pair, Side still, const Surroundings<Real>& around, const Rotation<Real>& rotation)
+  Beside(const Pair<Real>& pair, Side still, const Neighbours<Real>& around, const Rotation<Real>& rotation)
       : pair_(pair),
         side_(still),
         still_(still == Side::a ? pair.a : pair.b),
@@ -205,7 +205,7 @@ class Beside {
   Side side_;
   const RoundedHull<Real>& still_;
   const RoundedHull<Real>& mover_;
-  const Surroundings<Real>& around_;
+  const Neighbours<Real>& around_;
   const Rotation<Real>& rotation_;
   Vec2<Real> middle_;  // of the moving hull
   bool holds_middle_;  // the hull that stays has it inside
@@ -214,14 +214,14 @@ class Beside {
 }  // namespace
 
 template <Scalar Real>
-Manifold<Real> collide_beside(const Pair<Real>& pair, Side still, const Surroundings<Real>& around,
+Manifold<Real> collide_beside(const Pair<Real>& pair, Side still, const Neighbours<Real>& around,
                               const Rotation<Real>& rotation) {
   return Beside<Real>(pair, still, around, rotation).manifold();
 }
 
-template Manifold<float> collide_beside(const Pair<float>&, Side, const Surroundings<float>&,
+template Manifold<float> collide_beside(const Pair<float>&, Side, const Neighbours<float>&,
                                         const Rotation<float>&);
-template Manifold<double> collide_beside(const Pair<double>&, Side, const Surroundings<double>&,
+template Manifold<double> collide_beside(const Pair<double>&, Side, const Neighbours<double>&,
                                          const Rotation<double>&);
 
 }  // namespace cairn::narrowphase

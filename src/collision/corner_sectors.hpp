@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "collision/surroundings.hpp"
+#include "collision/neighbours.hpp"
 
 namespace cairn {
 

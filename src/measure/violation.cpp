@@ -24,7 +24,7 @@ bool is_apart(const Snapshot& snapshot, BodyId first, BodyId second) {
 struct Piece {
   BodyId body = {};
   Shape<double> shape = {};
-  std::optional<Surroundings<double>> around = {};  // of a link
+  std::optional<Neighbours<double>> around = {};  // of a link
 };
 
 void add_pieces(BodyId body, const Shape<double>& shape, List<Piece>& pieces) {
@@ -32,7 +32,7 @@ void add_pieces(BodyId body, const Shape<double>& shape, List<Piece>& pieces) {
   if (chain == nullptr) return pieces.push_back({body, shape});
   for (int i = 0; i < chain->link_count(); ++i) {
     pieces.push_back(
-        {body, Segment<double>{chain->point(i), chain->point(i + 1)}, link_surroundings(*chain, i)});
+        {body, Segment<double>{chain->point(i), chain->point(i + 1)}, link_neighbours(*chain, i)});
   }
 }
 
@@ -71,8 +71,8 @@ double thickness_along(const Snapshot& snapshot, const Piece& piece, const Vec2<
 /// The deepest point of two shapes, if it is deeper than `worst`.
 void keep_deeper(const Snapshot& snapshot, const Piece& one, const Piece& other, Overlap& worst) {
   const BodyId a = one.body, b = other.body;
-  const SurroundingsOf<double> around = {one.around ? &*one.around : nullptr,
-                                         other.around ? &*other.around : nullptr};
+  const NeighboursOf<double> around = {one.around ? &*one.around : nullptr,
+                                       other.around ? &*other.around : nullptr};
   const Manifold<double> manifold =
       collide(one.shape, snapshot.bodies[a].pose, other.shape, snapshot.bodies[b].pose, 0.0, around);
   for (int k = 0; k < manifold.count; ++k) {

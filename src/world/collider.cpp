@@ -20,9 +20,9 @@ Real core_radius(const Shape<Real>& shape) {
 }
 
 template <Scalar Real>
-void set_around(Collider<Real>& collider, const Surroundings<double>& around) {
+void set_around(Collider<Real>& collider, const Neighbours<double>& around) {
   ColliderForm<Real> form = *collider.form;
-  form.around = std::make_shared<const Surroundings<Real>>(surroundings_cast<Real>(around));
+  form.around = std::make_shared<const Neighbours<Real>>(neighbours_cast<Real>(around));
   collider.form = std::make_shared<const ColliderForm<Real>>(form);
 }
 
@@ -38,7 +38,7 @@ class ColliderMaker {
     const Chain<Real>& points = std::get<Chain<Real>>(cast);
     for (int i = 0; i < points.link_count(); ++i) {
       add(body, Segment<Real>{points.point(i), points.point(i + 1)});
-      set_around(colliders.back(), link_surroundings(chain, i));
+      set_around(colliders.back(), link_neighbours(chain, i));
     }
   }
 
@@ -79,7 +79,7 @@ class Groups {
 };
 
 template <Scalar Real>
-void set_surroundings(const Scene& scene, List<Collider<Real>>& colliders) {
+void set_neighbours(const Scene& scene, List<Collider<Real>>& colliders) {
   Groups groups(scene);
   List<StillShape> still;
   List<int> places;  // of their colliders
@@ -94,7 +94,7 @@ void set_surroundings(const Scene& scene, List<Collider<Real>>& colliders) {
       next += piece_count(shape);
     }
   }
-  const List<std::optional<Surroundings<double>>> found = find_surroundings(still);
+  const List<std::optional<Neighbours<double>>> found = find_neighbours(still);
   for (const int i : found.indices()) {
     if (found[i]) set_around(colliders[places[i]], *found[i]);
   }
@@ -115,7 +115,7 @@ List<Collider<Real>> make_colliders(const Scene& scene) {
       }
     }
   }
-  set_surroundings(scene, maker.colliders);
+  set_neighbours(scene, maker.colliders);
   return std::move(maker.colliders);
 }
 

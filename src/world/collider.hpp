@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "collision/surroundings.hpp"
+#include "collision/neighbours.hpp"
 #include "world/scene.hpp"
 
 namespace cairn {
@@ -15,7 +15,7 @@ struct ColliderForm {
   Real core_radius = 0;  // [m] by which its core is rounded
   /// In the frame of the body's centre of mass; no chain.
   std::shared_ptr<const Shape<Real>> shape = {};
-  std::shared_ptr<const Surroundings<Real>> around = {};  // what lies beside it; null: nothing
+  std::shared_ptr<const Neighbours<Real>> around = {};  // what lies beside it; null: nothing
 };
 
 /// A shape of a body, or a link of one that is a chain.

@@ -13,7 +13,7 @@ namespace {
 
 /// Whether two shapes lie among the same others as before.
 template <Scalar Real>
-bool has_same_surroundings(const Collider<Real>& one, const Collider<Real>& other) {
+bool has_same_neighbours(const Collider<Real>& one, const Collider<Real>& other) {
   const auto &around = one.form->around, &around_other = other.form->around;
   if (!around || !around_other) return around == around_other;
   return *around == *around_other;
@@ -47,14 +47,14 @@ void ContactCache<Real>::add_stiffness(ForcesOf when, const StepRecord<Real>& re
   const VelocityProblem<Real>& problem = record.problem;
   const int joints = problem.joint_blocks();
   for (int i = 0; i < problem.contacts.size(); ++i) {
-    const ContactSlot<Real>& slot = graph_[touching_[i]];
+    const CachedContact<Real>& cached = graph_[touching_[i]];
     const Contact<Real>& contact = problem.contacts[i];
     const auto part = [&](const RowBlock& block, int k) {
       return contact_part(contact.manifold, block.count, k);
     };
-    take_forces(when, slot.impulses, problem, joints + i, part, forces);
-    const Real radius_a = (*colliders_)[slot.collider_a].form->core_radius;
-    const Real radius_b = (*colliders_)[slot.collider_b].form->core_radius;
+    take_forces(when, cached.impulses, problem, joints + i, part, forces);
+    const Real radius_a = (*colliders_)[cached.collider_a].form->core_radius;
+    const Real radius_b = (*colliders_)[cached.collider_b].form->core_radius;
     add_contact_stiffness(contact, radius_a, radius_b, forces, stiffness);
   }
 }
@@ -87,23 +87,23 @@ void ContactCache<Real>::remember(const StepRecord<Real>& record) {
 template <Scalar Real>
 void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> numbers,
                                     const Substep<Real>& step) {
-  List<ContactSlot<Real>> slots;
-  List<LastingManifold<Real>> lasting;
-  for (const NearSlot& near : before.graph_.order()) {
-    if (near.slot == NearSlot::none) continue;
-    const ContactSlot<Real>& old = before.graph_[near.slot];
+  List<CachedContact<Real>> contacts;
+  List<CachedManifold<Real>> lasting;
+  for (const NearPair& near : before.graph_.order()) {
+    if (near.contact == NearPair::none) continue;
+    const CachedContact<Real>& old = before.graph_[near.contact];
     const int a = numbers[old.collider_a], b = numbers[old.collider_b];
     if (a < 0 || b < 0 || !may_meet(step.scene, a, b)) continue;
-    ContactSlot<Real> slot = make_slot(step, a, b);
-    slot.impulses = old.impulses;
-    slots.push_back(slot);
-    if (!before.graph_.lasts()) continue;
-    lasting.push_back(before.graph_.lasting(near.slot));
+    CachedContact<Real> cached = make_contact(step, a, b);
+    cached.impulses = old.impulses;
+    contacts.push_back(cached);
+    if (!before.graph_.keeps_manifolds()) continue;
+    lasting.push_back(before.graph_.manifold(near.contact));
     lasting.back().is_found = lasting.back().is_found &&
-                              has_same_surroundings((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
-                              has_same_surroundings((*before.colliders_)[old.collider_b], (*colliders_)[b]);
+                              has_same_neighbours((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
+                              has_same_neighbours((*before.colliders_)[old.collider_b], (*colliders_)[b]);
   }
-  graph_.begin_with(std::move(slots), std::move(lasting));
+  graph_.begin_with(std::move(contacts), std::move(lasting));
 }
 
 /// Whether two shapes that are near, so that one can move, ever touch.
@@ -115,19 +115,19 @@ bool ContactCache<Real>::may_meet(const Scene& scene, int collider_a, int collid
   return !std::binary_search(apart.begin(), apart.end(), std::pair<BodyId, BodyId>(std::minmax(a, b)));
 }
 
-/// The slot of two shapes that may meet.
+/// The contact of two shapes that may meet.
 template <Scalar Real>
-ContactSlot<Real> ContactCache<Real>::make_slot(const Substep<Real>& step, int collider_a,
-                                                int collider_b) const {
+CachedContact<Real> ContactCache<Real>::make_contact(const Substep<Real>& step, int collider_a,
+                                                     int collider_b) const {
   const BodyId a = (*colliders_)[collider_a].body, b = (*colliders_)[collider_b].body;
   const BodySpec &spec_a = step.scene.bodies()[a].spec, &spec_b = step.scene.bodies()[b].spec;
   const BodyTraits<Real>&of_a = step.kinds[a], &of_b = step.kinds[b];
-  ContactSlot<Real> slot{.collider_a = collider_a, .collider_b = collider_b, .a = a, .b = b};
-  slot.sensed = spec_a.sensor || spec_b.sensor;
-  slot.friction = static_cast<Real>(of_a.friction_root * of_b.friction_root);
-  slot.restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution));
-  slot.slop_limit = std::min(of_a.slop_limit, of_b.slop_limit);
-  return slot;
+  CachedContact<Real> cached{.collider_a = collider_a, .collider_b = collider_b, .a = a, .b = b};
+  cached.sensed = spec_a.sensor || spec_b.sensor;
+  cached.friction = static_cast<Real>(of_a.friction_root * of_b.friction_root);
+  cached.restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution));
+  cached.slop_limit = std::min(of_a.slop_limit, of_b.slop_limit);
+  return cached;
 }
 
 template class ContactCache<float>;

@@ -46,9 +46,9 @@ class ContactCache {
   /// Calls visit(a, b) for two bodies whose contact gave something.
   template <typename Visit>
   void for_each_touch(const Visit& visit) const {
-    for (const NearSlot& near : graph_.order()) {
-      if (near.slot == NearSlot::none || graph_[near.slot].impulses.count == 0) continue;
-      visit(graph_[near.slot].a, graph_[near.slot].b);
+    for (const NearPair& near : graph_.order()) {
+      if (near.contact == NearPair::none || graph_[near.contact].impulses.count == 0) continue;
+      visit(graph_[near.contact].a, graph_[near.contact].b);
     }
   }
 
@@ -57,12 +57,12 @@ class ContactCache {
   friend class ContactFinder;
 
   bool may_meet(const Scene& scene, int collider_a, int collider_b) const;
-  ContactSlot<Real> make_slot(const Substep<Real>& step, int collider_a, int collider_b) const;
+  CachedContact<Real> make_contact(const Substep<Real>& step, int collider_a, int collider_b) const;
 
   std::shared_ptr<const List<Collider<Real>>> colliders_;
   ContactGraph<Real> graph_;
-  List<int> candidates_;  // slots with a manifold that moves with its bodies
-  List<int> touching_;    // slots of the contacts of the record
+  List<int> candidates_;  // contacts with a manifold that moves with its bodies
+  List<int> touching_;    // contacts of the contacts of the record
 
   // Scratch memory, kept so that a steady step allocates nothing.
   List<char> movable_;           // of each collider: not of a pair where neither is

@@ -45,7 +45,7 @@ void ContactFinder<Real>::find_manifolds() {
   cache_.candidates_.clear();
   record_.sensed.clear();
   if (!step_.plan.collision) return;
-  cache_.graph_.sort_slots();
+  cache_.graph_.sort_contacts();
   locate_bodies();
   look_ahead(step_.plan.moves_manifolds ? step_.step_dt : step_.dt);
   if (step_.sleep) step_.sleep->mark_movable(step_.state.velocity, cache_.movable_);
@@ -85,32 +85,32 @@ void ContactFinder<Real>::meet_all(int since) {
                      static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, cache_.outlook_, since);
   cache_.graph_.update(cache_.boxes_.boxes(),
                        [this](int i, int j) { return cache_.may_meet(step_.scene, i, j); });
-  for (NearSlot& near : cache_.graph_.order()) {
+  for (NearPair& near : cache_.graph_.order()) {
     Deadline::go_on();
     const BodyId a = (*cache_.colliders_)[near.shapes.first].body;
     const BodyId b = (*cache_.colliders_)[near.shapes.second].body;
-    if (looks_again(a, b, near.slot, since)) meet(near);
+    if (looks_again(a, b, near.contact, since)) meet(near);
   }
 }
 
 /// Whether one of two bodies goes on in another way, or their pair waits.
 template <Scalar Real>
-bool ContactFinder<Real>::looks_again(BodyId a, BodyId b, int slot, int since) const {
+bool ContactFinder<Real>::looks_again(BodyId a, BodyId b, int number, int since) const {
   if (cache_.outlook_.has_changed(a, since) || cache_.outlook_.has_changed(b, since)) return true;
-  const Sight<Real>* const sight = cache_.rounds_.seen(slot);
+  const Sight<Real>* const sight = cache_.rounds_.seen(number);
   return sight != nullptr && sight->waits;
 }
 
 /// Those of which a manifold moves with the bodies.
 template <Scalar Real>
 void ContactFinder<Real>::choose_candidates() {
-  for (const NearSlot& near : cache_.graph_.order()) {
-    if (cache_.rounds_.seen(near.slot) == nullptr) continue;
-    const LastingManifold<Real>& lasting = cache_.graph_.lasting(near.slot);
+  for (const NearPair& near : cache_.graph_.order()) {
+    if (cache_.rounds_.seen(near.contact) == nullptr) continue;
+    const CachedManifold<Real>& lasting = cache_.graph_.manifold(near.contact);
     if (!lasting.is_found || lasting.manifold.count > 0) {
-      cache_.candidates_.push_back(near.slot);
+      cache_.candidates_.push_back(near.contact);
     } else {
-      cache_.graph_[near.slot].impulses.count = 0;
+      cache_.graph_[near.contact].impulses.count = 0;
     }
   }
 }
@@ -130,9 +130,9 @@ template <Scalar Real>
 void ContactFinder<Real>::put_manifolds() {
   find_with_others([this](int since) {
     for (const int number : cache_.candidates_) {
-      const ContactSlot<Real>& slot = cache_.graph_[number];
-      if (!looks_again(slot.a, slot.b, number, since)) continue;
-      if (cache_.graph_.lasting(number).is_found) {
+      const CachedContact<Real>& cached = cache_.graph_[number];
+      if (!looks_again(cached.a, cached.b, number, since)) continue;
+      if (cache_.graph_.manifold(number).is_found) {
         touch(number, moved_manifold(number));
       } else {
         touch_ahead(number);
@@ -148,42 +148,43 @@ void ContactFinder<Real>::sort_contacts() {
   sorted.clear();
   make_room(sorted, contacts.size());
   cache_.touching_.clear();
-  for (const NearSlot& near : cache_.graph_.order()) {
-    const Sight<Real>* const sight = cache_.rounds_.seen(near.slot);
+  for (const NearPair& near : cache_.graph_.order()) {
+    const Sight<Real>* const sight = cache_.rounds_.seen(near.contact);
     if (sight == nullptr || sight->contact < 0) continue;
     sorted.push_back(contacts[sight->contact]);
-    cache_.touching_.push_back(near.slot);
+    cache_.touching_.push_back(near.contact);
   }
   contacts.swap(sorted);
 }
 
-/// The manifold of a slot where its bodies are now.
+/// The manifold of a contact where its bodies are now.
 template <Scalar Real>
 Manifold<Real> ContactFinder<Real>::moved_manifold(int number) {
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  Manifold<Real> manifold = cache_.graph_.lasting(number).manifold.at(
-      cache_.frames_[slot.a], cache_.frames_[slot.b], margin_for(slot, travel(slot)));
-  manifold.collider_a = slot.collider_a;
-  manifold.collider_b = slot.collider_b;
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  Manifold<Real> manifold = cache_.graph_.manifold(number).manifold.at(
+      cache_.frames_[cached.a], cache_.frames_[cached.b], margin_for(cached, travel(cached)));
+  manifold.collider_a = cached.collider_a;
+  manifold.collider_b = cached.collider_b;
   return manifold;
 }
 
 template <Scalar Real>
-Manifold<Real> ContactFinder<Real>::collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
-                                                 const Frame<Real>& frame_b, Real margin) const {
-  const ColliderForm<Real>& a = *(*cache_.colliders_)[slot.collider_a].form;
-  const ColliderForm<Real>& b = *(*cache_.colliders_)[slot.collider_b].form;
+Manifold<Real> ContactFinder<Real>::collide_pair(const CachedContact<Real>& cached,
+                                                 const Frame<Real>& frame_a, const Frame<Real>& frame_b,
+                                                 Real margin) const {
+  const ColliderForm<Real>& a = *(*cache_.colliders_)[cached.collider_a].form;
+  const ColliderForm<Real>& b = *(*cache_.colliders_)[cached.collider_b].form;
   Manifold<Real> manifold =
       collide(*a.shape, frame_a, *b.shape, frame_b, margin, {a.around.get(), b.around.get()});
-  manifold.collider_a = slot.collider_a;
-  manifold.collider_b = slot.collider_b;
+  manifold.collider_a = cached.collider_a;
+  manifold.collider_b = cached.collider_b;
   return manifold;
 }
 
 /// Of the smaller of the two bodies, beside the other.
 template <Scalar Real>
-Pose<Real> ContactFinder<Real>::relative_pose(const ContactSlot<Real>& slot, bool a_moves) const {
-  const BodyId still = a_moves ? slot.b : slot.a, moving = a_moves ? slot.a : slot.b;
+Pose<Real> ContactFinder<Real>::relative_pose(const CachedContact<Real>& cached, bool a_moves) const {
+  const BodyId still = a_moves ? cached.b : cached.a, moving = a_moves ? cached.a : cached.b;
   const Vec2<Real> arm = cache_.frames_[moving].position - cache_.frames_[still].position;
   return {cache_.frames_[still].rotation.transposed_times(arm),
           step_.state.pose[moving].angle - step_.state.pose[still].angle};
@@ -191,39 +192,39 @@ Pose<Real> ContactFinder<Real>::relative_pose(const ContactSlot<Real>& slot, boo
 
 /// Whether the manifold of before does for this step.
 template <Scalar Real>
-bool ContactFinder<Real>::has_lasting_manifold(int number) const {
-  const LastingManifold<Real>& found = cache_.graph_.lasting(number);
+bool ContactFinder<Real>::has_cached_manifold(int number) const {
+  const CachedManifold<Real>& found = cache_.graph_.manifold(number);
   if (!step_.plan.keeps_manifolds || !found.is_found) return false;
   const Real margin = static_cast<Real>(*step_.plan.settings.speculative_margin);
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  const Pose<Real> now = relative_pose(slot, found.a_moves);
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  const Pose<Real> now = relative_pose(cached, found.a_moves);
   const Real way = (now.position - found.position).norm();
   // What was beyond the margin has not come in by more than a quarter of it.
-  const Real most = std::min(margin / 4, nearness(slot));
+  const Real most = std::min(margin / 4, nearness(cached));
   if (!(way + found.radius * std::abs(now.angle - found.angle) <= most)) return false;
-  return is_slow(slot, travel(slot)) ||
-         is_touching(found.manifold.at(cache_.frames_[slot.a], cache_.frames_[slot.b], margin),
-                     nearness(slot));
+  return is_slow(cached, travel(cached)) ||
+         is_touching(found.manifold.at(cache_.frames_[cached.a], cache_.frames_[cached.b], margin),
+                     nearness(cached));
 }
 
 /// Of a pair that goes far in this step, only if it touches now: else none is found, and each substep looks
 /// ahead.
 template <Scalar Real>
-void ContactFinder<Real>::find_lasting_manifold(int number) {
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  const ColliderForm<Real>& a = *(*cache_.colliders_)[slot.collider_a].form;
-  const ColliderForm<Real>& b = *(*cache_.colliders_)[slot.collider_b].form;
-  LastingManifold<Real>& found = cache_.graph_.lasting(number);
-  const Real way = travel(slot);
+void ContactFinder<Real>::find_cached_manifold(int number) {
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  const ColliderForm<Real>& a = *(*cache_.colliders_)[cached.collider_a].form;
+  const ColliderForm<Real>& b = *(*cache_.colliders_)[cached.collider_b].form;
+  CachedManifold<Real>& found = cache_.graph_.manifold(number);
+  const Real way = travel(cached);
   const Manifold<Real> manifold =
-      collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], margin_for(slot, way));
+      collide_pair(cached, cache_.frames_[cached.a], cache_.frames_[cached.b], margin_for(cached, way));
   found = {.a_moves = a.radius < b.radius,
-           .is_found = is_slow(slot, way) || is_touching(manifold, nearness(slot))};
+           .is_found = is_slow(cached, way) || is_touching(manifold, nearness(cached))};
   if (!found.is_found) return;
   found.manifold =
-      keep(manifold, cache_.frames_[slot.a], a.core_radius, cache_.frames_[slot.b], b.core_radius);
+      keep(manifold, cache_.frames_[cached.a], a.core_radius, cache_.frames_[cached.b], b.core_radius);
   found.radius = std::min(a.radius, b.radius);
-  const Pose<Real> now = relative_pose(slot, found.a_moves);
+  const Pose<Real> now = relative_pose(cached, found.a_moves);
   found.position = now.position;
   found.angle = now.angle;
 }
@@ -235,11 +236,11 @@ void ContactFinder<Real>::touch(int number, const Manifold<Real>& manifold) {
   keep_sight(number, manifold);
 }
 
-/// Puts what is seen of a slot in the place of what was seen before.
+/// Puts what is seen of a contact in the place of what was seen before.
 template <Scalar Real>
 void ContactFinder<Real>::keep_sight(int number, const Manifold<Real>& manifold) {
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  Sight<Real>& sight = cache_.rounds_.of(slot, number);
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  Sight<Real>& sight = cache_.rounds_.of(cached, number);
   List<Contact<Real>>& contacts = record_.problem.contacts;
   if (manifold.count == 0) {
     sight.contact = -1;
@@ -248,45 +249,47 @@ void ContactFinder<Real>::keep_sight(int number, const Manifold<Real>& manifold)
   } else {
     sight.contact = contacts.size();
     make_room(contacts, contacts.size() + 1);
-    contacts.push_back({.a = slot.a,
-                        .b = slot.b,
+    contacts.push_back({.a = cached.a,
+                        .b = cached.b,
                         .manifold = manifold,
-                        .center_a = step_.state.pose[slot.a].position,
-                        .center_b = step_.state.pose[slot.b].position,
-                        .friction = slot.friction,
-                        .restitution = slot.restitution,
-                        .slop_limit = slot.slop_limit});
+                        .center_a = step_.state.pose[cached.a].position,
+                        .center_b = step_.state.pose[cached.b].position,
+                        .friction = cached.friction,
+                        .restitution = cached.restitution,
+                        .slop_limit = cached.slop_limit});
     cache_.touching_.push_back(number);
   }
 }
 
 /// One pair that is near: its manifold, if the two touch.
 template <Scalar Real>
-void ContactFinder<Real>::meet(NearSlot& near) {
+void ContactFinder<Real>::meet(NearPair& near) {
   const auto [shape_a, shape_b] = near.shapes;
   if (step_.sleep && !cache_.movable_[shape_a] && !cache_.movable_[shape_b]) return;  // as they fell asleep
-  if (!cache_.boxes_.meet(shape_a, shape_b)) return cache_.graph_.remove_slot(near);
-  if (near.slot == NearSlot::none) cache_.graph_.add_slot(near, cache_.make_slot(step_, shape_a, shape_b));
-  const ContactSlot<Real>& slot = cache_.graph_[near.slot];
-  if (slot.sensed) {
-    const bool touches = collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], 0).count > 0;
-    if (touches) record_.sensed.push_back(std::minmax(slot.a, slot.b));
+  if (!cache_.boxes_.meet(shape_a, shape_b)) return cache_.graph_.remove_contact(near);
+  if (near.contact == NearPair::none)
+    cache_.graph_.add_contact(near, cache_.make_contact(step_, shape_a, shape_b));
+  const CachedContact<Real>& cached = cache_.graph_[near.contact];
+  if (cached.sensed) {
+    const bool touches =
+        collide_pair(cached, cache_.frames_[cached.a], cache_.frames_[cached.b], 0).count > 0;
+    if (touches) record_.sensed.push_back(std::minmax(cached.a, cached.b));
   } else if (step_.plan.moves_manifolds) {
-    meet_for_step(near.slot);
+    meet_for_step(near.contact);
   } else {
-    touch_ahead(near.slot);
+    touch_ahead(near.contact);
   }
 }
 
 /// A manifold that moves with the bodies, or what stops them.
 template <Scalar Real>
 void ContactFinder<Real>::meet_for_step(int number) {
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  if (is_news(slot, number)) {
-    if (!has_lasting_manifold(number)) find_lasting_manifold(number);
-    if (!cache_.graph_.lasting(number).is_found) keep_sight(number, manifold_ahead(number, travel(slot)));
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  if (is_news(cached, number)) {
+    if (!has_cached_manifold(number)) find_cached_manifold(number);
+    if (!cache_.graph_.manifold(number).is_found) keep_sight(number, manifold_ahead(number, travel(cached)));
   }
-  if (!cache_.graph_.lasting(number).is_found) stop(number);
+  if (!cache_.graph_.manifold(number).is_found) stop(number);
 }
 
 template class ContactFinder<float>;

@@ -31,37 +31,37 @@ class ContactFinder {
   void find_manifolds();
   void put_manifolds();
   void meet_all(int since);
-  bool looks_again(BodyId a, BodyId b, int slot, int since) const;
+  bool looks_again(BodyId a, BodyId b, int number, int since) const;
   void choose_candidates();
   template <typename Find>
   void find_with_others(const Find& find);
   void locate_bodies();
   void look_ahead(Real time);
   typename LookAhead<Real>::Places places() const { return {step_.state.pose, cache_.frames_}; }
-  Real travel(const ContactSlot<Real>& slot) const;
-  Real slow_way(const ContactSlot<Real>& slot) const;
-  bool is_slow(const ContactSlot<Real>& slot, Real travel) const;
-  Real nearness(const ContactSlot<Real>& slot) const;
-  Real margin_for(const ContactSlot<Real>& slot, Real travel) const;
-  bool is_news(const ContactSlot<Real>& slot, int number);
-  void stop(int slot);
-  void meet(NearSlot& near);
-  void meet_for_step(int slot);
+  Real travel(const CachedContact<Real>& cached) const;
+  Real slow_way(const CachedContact<Real>& cached) const;
+  bool is_slow(const CachedContact<Real>& cached, Real travel) const;
+  Real nearness(const CachedContact<Real>& cached) const;
+  Real margin_for(const CachedContact<Real>& cached, Real travel) const;
+  bool is_news(const CachedContact<Real>& cached, int number);
+  void stop(int number);
+  void meet(NearPair& near);
+  void meet_for_step(int number);
   void sort_contacts();
-  void keep_sight(int slot, const Manifold<Real>& manifold);
-  void touch(int slot, const Manifold<Real>& manifold);
-  void touch_ahead(int slot);
-  Manifold<Real> moved_manifold(int slot);
-  Real leeway_of(const ContactSlot<Real>& slot) const;
-  bool stay_apart(const ContactSlot<Real>& slot, const Vec2<Real>& direction) const;
-  Manifold<Real> manifold_ahead(int slot, Real travel);
-  Manifold<Real> manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
+  void keep_sight(int number, const Manifold<Real>& manifold);
+  void touch(int number, const Manifold<Real>& manifold);
+  void touch_ahead(int number);
+  Manifold<Real> moved_manifold(int number);
+  Real leeway_of(const CachedContact<Real>& cached) const;
+  bool stay_apart(const CachedContact<Real>& cached, const Vec2<Real>& direction) const;
+  Manifold<Real> manifold_ahead(int number, Real travel);
+  Manifold<Real> manifold_of_touch(const CachedContact<Real>& cached, const Course<Real>& a,
                                    const Course<Real>& b, Real room, Real margin, Vec2<Real>& apart) const;
-  Manifold<Real> collide_slot(const ContactSlot<Real>& slot, const Frame<Real>& frame_a,
+  Manifold<Real> collide_pair(const CachedContact<Real>& cached, const Frame<Real>& frame_a,
                               const Frame<Real>& frame_b, Real margin) const;
-  Pose<Real> relative_pose(const ContactSlot<Real>& slot, bool a_moves) const;
-  bool has_lasting_manifold(int slot) const;
-  void find_lasting_manifold(int slot);
+  Pose<Real> relative_pose(const CachedContact<Real>& cached, bool a_moves) const;
+  bool has_cached_manifold(int number) const;
+  void find_cached_manifold(int number);
 
   const Substep<Real>& step_;
   ContactCache<Real>& cache_;

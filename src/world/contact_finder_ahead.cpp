@@ -53,51 +53,51 @@ void ContactFinder<Real>::look_ahead(Real time) {
 
 /// [m] How far two shapes may come beside each other.
 template <Scalar Real>
-Real ContactFinder<Real>::travel(const ContactSlot<Real>& slot) const {
-  return cache_.outlook_.travel((*cache_.colliders_)[slot.collider_a], (*cache_.colliders_)[slot.collider_b],
-                                step_.state.pose, slow_way(slot));
+Real ContactFinder<Real>::travel(const CachedContact<Real>& cached) const {
+  return cache_.outlook_.travel((*cache_.colliders_)[cached.collider_a],
+                                (*cache_.colliders_)[cached.collider_b], step_.state.pose, slow_way(cached));
 }
 
 /// [m] What a manifold may be off by.
 template <Scalar Real>
-Real ContactFinder<Real>::nearness(const ContactSlot<Real>& slot) const {
-  return static_cast<Real>(keep_share) * slot.slop_limit;
+Real ContactFinder<Real>::nearness(const CachedContact<Real>& cached) const {
+  return static_cast<Real>(keep_share) * cached.slop_limit;
 }
 
 /// [m] Of a pair that comes no farther, all it can touch is near now.
 template <Scalar Real>
-Real ContactFinder<Real>::slow_way(const ContactSlot<Real>& slot) const {
-  return std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, slot.slop_limit);
+Real ContactFinder<Real>::slow_way(const CachedContact<Real>& cached) const {
+  return std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, cached.slop_limit);
 }
 
 template <Scalar Real>
-bool ContactFinder<Real>::is_slow(const ContactSlot<Real>& slot, Real travel) const {
-  return travel <= slow_way(slot);
+bool ContactFinder<Real>::is_slow(const CachedContact<Real>& cached, Real travel) const {
+  return travel <= slow_way(cached);
 }
 
 /// [m] Below it points have rows. One end of a body that comes down is thrown down by what stops the other.
 template <Scalar Real>
-Real ContactFinder<Real>::margin_for(const ContactSlot<Real>& slot, Real travel) const {
+Real ContactFinder<Real>::margin_for(const CachedContact<Real>& cached, Real travel) const {
   const Real margin = static_cast<Real>(*step_.plan.settings.speculative_margin);
-  return is_slow(slot, travel) ? margin : margin + 2 * travel;
+  return is_slow(cached, travel) ? margin : margin + 2 * travel;
 }
 
 /// Whether a pair has not been seen in this search, or one of its bodies has been stopped since.
 template <Scalar Real>
-bool ContactFinder<Real>::is_news(const ContactSlot<Real>& slot, int number) {
-  Sight<Real>& sight = cache_.rounds_.of(slot, number);
+bool ContactFinder<Real>::is_news(const CachedContact<Real>& cached, int number) {
+  Sight<Real>& sight = cache_.rounds_.of(cached, number);
   const int since = std::exchange(sight.changes, cache_.outlook_.changes());
-  return since < 0 || cache_.outlook_.has_changed(slot.a, since) ||
-         cache_.outlook_.has_changed(slot.b, since);
+  return since < 0 || cache_.outlook_.has_changed(cached.a, since) ||
+         cache_.outlook_.has_changed(cached.b, since);
 }
 
 /// Takes into the step what a pair will touch with.
 template <Scalar Real>
 void ContactFinder<Real>::touch_ahead(int number) {
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  if (is_news(slot, number)) {
-    const Real way = travel(slot);
-    cache_.rounds_.of(slot, number).is_slow = is_slow(slot, way);
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  if (is_news(cached, number)) {
+    const Real way = travel(cached);
+    cache_.rounds_.of(cached, number).is_slow = is_slow(cached, way);
     touch(number, manifold_ahead(number, way));
   }
   stop(number);
@@ -105,47 +105,48 @@ void ContactFinder<Real>::touch_ahead(int number) {
 
 /// [m] By how much others may turn the two aside.
 template <Scalar Real>
-Real ContactFinder<Real>::leeway_of(const ContactSlot<Real>& slot) const {
-  return cache_.outlook_.time() * (cache_.outlook_.leeway(slot.a) + cache_.outlook_.leeway(slot.b));
+Real ContactFinder<Real>::leeway_of(const CachedContact<Real>& cached) const {
+  return cache_.outlook_.time() * (cache_.outlook_.leeway(cached.a) + cache_.outlook_.leeway(cached.b));
 }
 
 /// Whether two shapes surely stay farther from each other along a direction than anything that they may do
 /// needs.
 template <Scalar Real>
-bool ContactFinder<Real>::stay_apart(const ContactSlot<Real>& slot, const Vec2<Real>& direction) const {
-  const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
-  const Frame<Real>&frame_a = cache_.frames_[slot.a], &frame_b = cache_.frames_[slot.b];
-  const Real room = std::max(static_cast<Real>(*step_.plan.settings.speculative_margin), nearness(slot));
+bool ContactFinder<Real>::stay_apart(const CachedContact<Real>& cached, const Vec2<Real>& direction) const {
+  const Collider &a = (*cache_.colliders_)[cached.collider_a], &b = (*cache_.colliders_)[cached.collider_b];
+  const Frame<Real>&frame_a = cache_.frames_[cached.a], &frame_b = cache_.frames_[cached.b];
+  const Real room = std::max(static_cast<Real>(*step_.plan.settings.speculative_margin), nearness(cached));
   const Real far = (frame_b.position - frame_a.position).cwiseAbs().sum() + a.form->radius + b.form->radius;
   const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * far;
   const Real closing =
       most_way(cache_.outlook_, direction, a) + most_way<Real>(cache_.outlook_, -direction, b);
   return gap_along(direction, *a.form->shape, frame_a, *b.form->shape, frame_b) >
-         room + leeway_of(slot) + rounding + std::max(closing, Real(0));
+         room + leeway_of(cached) + rounding + std::max(closing, Real(0));
 }
 
 /// What a pair that travels so far [m] will touch with.
 template <Scalar Real>
 Manifold<Real> ContactFinder<Real>::manifold_ahead(int number, Real way) {
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  Vec2<Real>& apart = cache_.rounds_.of(slot, number).apart;
-  const Real margin = margin_for(slot, way);
-  if (is_slow(slot, way)) return collide_slot(slot, cache_.frames_[slot.a], cache_.frames_[slot.b], margin);
-  if (stay_apart(slot, apart)) return {};
-  const Collider &a = (*cache_.colliders_)[slot.collider_a], &b = (*cache_.colliders_)[slot.collider_b];
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  Vec2<Real>& apart = cache_.rounds_.of(cached, number).apart;
+  const Real margin = margin_for(cached, way);
+  if (is_slow(cached, way))
+    return collide_pair(cached, cache_.frames_[cached.a], cache_.frames_[cached.b], margin);
+  if (stay_apart(cached, apart)) return {};
+  const Collider &a = (*cache_.colliders_)[cached.collider_a], &b = (*cache_.colliders_)[cached.collider_b];
   const Real room = static_cast<Real>(*step_.plan.settings.speculative_margin);
   Manifold<Real> manifold;
   cache_.outlook_.for_each_course(a, b, places(), [&](const Course<Real>& of_a, const Course<Real>& of_b) {
-    if (manifold.count == 0) manifold = manifold_of_touch(slot, of_a, of_b, room, margin, apart);
+    if (manifold.count == 0) manifold = manifold_of_touch(cached, of_a, of_b, room, margin, apart);
   });
-  const Real leeway = leeway_of(slot);
+  const Real leeway = leeway_of(cached);
   if (manifold.count == 0 && leeway > 0) {
     std::pair<Course<Real>, Course<Real>> last;
     cache_.outlook_.for_each_course(a, b, places(),
                                     [&last](const Course<Real>& of_a, const Course<Real>& of_b) {
                                       last = {of_a, of_b};
                                     });
-    manifold = manifold_of_touch(slot, last.first, last.second, room + leeway, margin, apart);
+    manifold = manifold_of_touch(cached, last.first, last.second, room + leeway, margin, apart);
   }
   return manifold;
 }
@@ -154,20 +155,21 @@ Manifold<Real> ContactFinder<Real>::manifold_ahead(int number, Real way) {
 /// then, and with the separations from which its rows see the two come to that pose. Of two that do not touch
 /// that of a pose in which they begin to part, if they are nearer than `room` [m] there.
 template <Scalar Real>
-Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& slot, const Course<Real>& a,
-                                                      const Course<Real>& b, Real room, Real margin,
-                                                      Vec2<Real>& apart) const {
-  const ColliderForm<Real>& form_a = *(*cache_.colliders_)[slot.collider_a].form;
-  const ColliderForm<Real>& form_b = *(*cache_.colliders_)[slot.collider_b].form;
-  const Real near = nearness(slot), most = form_a.radius + form_b.radius + std::max(room, near);
+Manifold<Real> ContactFinder<Real>::manifold_of_touch(const CachedContact<Real>& cached,
+                                                      const Course<Real>& a, const Course<Real>& b, Real room,
+                                                      Real margin, Vec2<Real>& apart) const {
+  const ColliderForm<Real>& form_a = *(*cache_.colliders_)[cached.collider_a].form;
+  const ColliderForm<Real>& form_b = *(*cache_.colliders_)[cached.collider_b].form;
+  const Real near = nearness(cached), most = form_a.radius + form_b.radius + std::max(room, near);
   if (least_distance(a, b, cache_.outlook_.time()) > most) return {};
   const Approach<Real> met =
       approach(*form_a.shape, a, *form_b.shape, b, cache_.outlook_.time(), near, std::max(room, near));
   apart = met.normal;
   if (met.separation > near && met.separation >= room) return {};
   const Frame<Real> then_a = a.at(met.time), then_b = b.at(met.time);
-  Manifold<Real> manifold = collide_slot(slot, then_a, then_b, margin);
-  const Real light_a = step_.state.inverse_mass[slot.a].x(), light_b = step_.state.inverse_mass[slot.b].x();
+  Manifold<Real> manifold = collide_pair(cached, then_a, then_b, margin);
+  const Real light_a = step_.state.inverse_mass[cached.a].x(),
+             light_b = step_.state.inverse_mass[cached.b].x();
   const Vec2<Real> speed_a = a.velocity.template head<2>(), speed_b = b.velocity.template head<2>();
   const Real share_b = light_b / (light_a + light_b);
   for (int i = 0; i < manifold.count; ++i) {
@@ -185,44 +187,46 @@ Manifold<Real> ContactFinder<Real>::manifold_of_touch(const ContactSlot<Real>& s
 /// that can both be moved wait until others have stopped whom they can, whatever the order of pairs.
 template <Scalar Real>
 void ContactFinder<Real>::stop(int number) {
-  const ContactSlot<Real>& slot = cache_.graph_[number];
-  Sight<Real>& sight = cache_.rounds_.of(slot, number);
+  const CachedContact<Real>& cached = cache_.graph_[number];
+  Sight<Real>& sight = cache_.rounds_.of(cached, number);
   sight.waits = false;
   if (sight.is_slow || sight.contact < 0) return;
   const Manifold<Real>& manifold = record_.problem.contacts[sight.contact].manifold;
   const Vec3<Real> still = Vec3<Real>::Zero();
-  const Vec3<Real> light_a = cache_.outlook_.is_stopped(slot.a) ? still : step_.state.inverse_mass[slot.a];
-  const Vec3<Real> light_b = cache_.outlook_.is_stopped(slot.b) ? still : step_.state.inverse_mass[slot.b];
+  const Vec3<Real> light_a =
+      cache_.outlook_.is_stopped(cached.a) ? still : step_.state.inverse_mass[cached.a];
+  const Vec3<Real> light_b =
+      cache_.outlook_.is_stopped(cached.b) ? still : step_.state.inverse_mass[cached.b];
   if (light_a.isZero(0) && light_b.isZero(0)) return;
   const bool waits = stops_.of_movable_wait && !light_a.isZero(0) && !light_b.isZero(0);
   bool is_new = false;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint<Real>& point = manifold.points[i];
     const Vec2<Real>& normal = manifold.normal;
-    const Real turn_a = cross<Real>(point.position - step_.state.pose[slot.a].position, normal);
-    const Real turn_b = cross<Real>(point.position - step_.state.pose[slot.b].position, normal);
+    const Real turn_a = cross<Real>(point.position - step_.state.pose[cached.a].position, normal);
+    const Real turn_b = cross<Real>(point.position - step_.state.pose[cached.b].position, normal);
     const Vec3<Real> push_a(-normal.x(), -normal.y(), -turn_a), push_b(normal.x(), normal.y(), turn_b);
     const Real parting =
-        dot(push_a, cache_.outlook_.stopped(slot.a)) + dot(push_b, cache_.outlook_.stopped(slot.b));
+        dot(push_a, cache_.outlook_.stopped(cached.a)) + dot(push_b, cache_.outlook_.stopped(cached.b));
     const Real missing = -point.separation / cache_.outlook_.time() - parting;
-    if (is_slow(slot, cache_.outlook_.time() * missing)) continue;
+    if (is_slow(cached, cache_.outlook_.time() * missing)) continue;
     sight.waits = waits;
     stops_.are_waiting |= waits;
     if (waits) return;
     const Vec3<Real> pull_a = light_a.cwiseProduct(push_a), pull_b = light_b.cwiseProduct(push_b);
-    const Real rebound = slot.restitution > 0 ? -(1 + slot.restitution) * parting : Real(0);
+    const Real rebound = cached.restitution > 0 ? -(1 + cached.restitution) * parting : Real(0);
     const Real impulse = std::max(missing, rebound) / (dot(push_a, pull_a) + dot(push_b, pull_b));
-    if (!light_a.isZero(0)) cache_.outlook_.stop(slot.a, impulse * pull_a);
-    if (!light_b.isZero(0)) cache_.outlook_.stop(slot.b, impulse * pull_b);
+    if (!light_a.isZero(0)) cache_.outlook_.stop(cached.a, impulse * pull_a);
+    if (!light_b.isZero(0)) cache_.outlook_.stop(cached.b, impulse * pull_b);
     is_new = true;
   }
   if (!is_new) return;
   stops_.are_new = true;
   // What goes on along the contact may be turned aside by others.
-  const Vec3<Real> past = cache_.outlook_.stopped(slot.b) - cache_.outlook_.stopped(slot.a);
+  const Vec3<Real> past = cache_.outlook_.stopped(cached.b) - cache_.outlook_.stopped(cached.a);
   const Real leeway = std::abs(cross<Real>(manifold.normal, past.template head<2>()));
-  if (!light_a.isZero(0)) cache_.outlook_.set_leeway(slot.a, leeway);
-  if (!light_b.isZero(0)) cache_.outlook_.set_leeway(slot.b, leeway);
+  if (!light_a.isZero(0)) cache_.outlook_.set_leeway(cached.a, leeway);
+  if (!light_b.isZero(0)) cache_.outlook_.set_leeway(cached.b, leeway);
 }
 
 template class ContactFinder<float>;

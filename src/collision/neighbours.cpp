@@ -1,5 +1,5 @@
 // Floor 2. What lies beside a shape that never moves: links of chains, and shapes that touch each other.
-#include "collision/surroundings.hpp"
+#include "collision/neighbours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,8 @@ class Neighbourhood {
   }
 
   /// In the frame of the hull's body.
-  std::optional<Surroundings<double>> result(const Rotation<double>& rotation) const {
-    Surroundings<double> result{.slack = slack_};
+  std::optional<Neighbours<double>> result(const Rotation<double>& rotation) const {
+    Neighbours<double> result{.slack = slack_};
     bool is_changed = false;
     for (int i = 0; i < hull_.count; ++i) {
       result.faces.push_back(face(i));
@@ -117,8 +117,8 @@ class Neighbourhood {
     if (to > from) covered_[face].push_back({from, to});
   }
 
-  Surroundings<double>::Face face(int i) const {
-    Surroundings<double>::Face result{.first = 0, .last = face_length(hull_, i)};
+  Neighbours<double>::Face face(int i) const {
+    Neighbours<double>::Face result{.first = 0, .last = face_length(hull_, i)};
     List<Interval> covered = covered_[i];
     std::sort(covered.begin(), covered.end());
     for (const auto& [from, to] : covered) {
@@ -144,8 +144,8 @@ class Neighbourhood {
     return {.kind = FaceEnd<double>::Kind::neighbour};  // the face is covered there
   }
 
-  Surroundings<double>::Corner corner(int i, const Rotation<double>& rotation) const {
-    Surroundings<double>::Corner result;
+  Neighbours<double>::Corner corner(int i, const Rotation<double>& rotation) const {
+    Neighbours<double>::Corner result;
     result.is_alone = sectors_[i].is_alone();
     if (result.is_alone) return result;
     for (FreeSector sector : sectors_[i].free()) {
@@ -181,7 +181,7 @@ List<std::pair<int, int>> near_pairs_of(Span<const StillShape> shapes, const Lis
 /// The corner of a chain between two links, from the solid on the left hand of one to that of the other.
 template <Scalar Real>
 FaceEnd<Real> add_corner(const Vec2<Real>& before, const Vec2<Real>& corner, const Vec2<Real>& after,
-                         Surroundings<Real>& link) {
+                         Neighbours<Real>& link) {
   const double back = angle_of_way((before - corner).template cast<double>());
   const double on = angle_of_way((after - corner).template cast<double>());
   const FreeSector sector{back, within_turn(on - back)};
@@ -198,7 +198,7 @@ FaceEnd<Real> cast_end(const FaceEnd<double>& end) {
 
 }  // namespace
 
-List<std::optional<Surroundings<double>>> find_surroundings(Span<const StillShape> shapes) {
+List<std::optional<Neighbours<double>>> find_neighbours(Span<const StillShape> shapes) {
   List<Hull> hulls;
   for (const StillShape& still : shapes) {
     hulls.push_back(rounded_hull<double>(*still.shape, Frame<double>(still.pose), Vec2<double>(0, 0)));
@@ -213,7 +213,7 @@ List<std::optional<Surroundings<double>>> find_surroundings(Span<const StillShap
     around[i]->add(hulls[j]);
     around[j]->add(hulls[i]);
   }
-  List<std::optional<Surroundings<double>>> result(hulls.size());
+  List<std::optional<Neighbours<double>>> result(hulls.size());
   for (const int i : hulls.indices()) {
     if (around[i]) result[i] = around[i]->result(Rotation<double>(shapes[i].pose.angle));
   }
@@ -221,10 +221,10 @@ List<std::optional<Surroundings<double>>> find_surroundings(Span<const StillShap
 }
 
 template <Scalar Real>
-Surroundings<Real> link_surroundings(const Chain<Real>& chain, int link) {
+Neighbours<Real> link_neighbours(const Chain<Real>& chain, int link) {
   const Vec2<Real>&from = chain.point(link), &to = chain.point(link + 1);
   const Real length = (to - from).norm();
-  Surroundings<Real> result;
+  Neighbours<Real> result;
   result.slack = static_cast<Real>(level_share) * length;
   result.one_sided = true;
   result.faces.resize(2);  // of face 1, the back, nothing can be met
@@ -235,15 +235,15 @@ Surroundings<Real> link_surroundings(const Chain<Real>& chain, int link) {
 }
 
 template <Scalar Real>
-Surroundings<Real> surroundings_cast(const Surroundings<double>& surroundings) {
-  Surroundings<Real> result;
-  result.slack = static_cast<Real>(surroundings.slack);
-  result.one_sided = surroundings.one_sided;
-  for (const auto& face : surroundings.faces) {
+Neighbours<Real> neighbours_cast(const Neighbours<double>& neighbours) {
+  Neighbours<Real> result;
+  result.slack = static_cast<Real>(neighbours.slack);
+  result.one_sided = neighbours.one_sided;
+  for (const auto& face : neighbours.faces) {
     const Real first = static_cast<Real>(face.first), last = static_cast<Real>(face.last);
     result.faces.push_back({first, last, cast_end<Real>(face.start), cast_end<Real>(face.end)});
   }
-  for (const auto& corner : surroundings.corners) {
+  for (const auto& corner : neighbours.corners) {
     auto& made = result.corners.emplace_back();
     made.is_alone = corner.is_alone;
     made.count = corner.count;
@@ -254,9 +254,9 @@ Surroundings<Real> surroundings_cast(const Surroundings<double>& surroundings) {
   return result;
 }
 
-template Surroundings<float> link_surroundings(const Chain<float>&, int);
-template Surroundings<double> link_surroundings(const Chain<double>&, int);
-template Surroundings<float> surroundings_cast(const Surroundings<double>&);
-template Surroundings<double> surroundings_cast(const Surroundings<double>&);
+template Neighbours<float> link_neighbours(const Chain<float>&, int);
+template Neighbours<double> link_neighbours(const Chain<double>&, int);
+template Neighbours<float> neighbours_cast(const Neighbours<double>&);
+template Neighbours<double> neighbours_cast(const Neighbours<double>&);
 
 }  // namespace cairn

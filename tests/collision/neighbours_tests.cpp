@@ -11,13 +11,13 @@
 namespace cairn {
 namespace {
 
-using Around = std::optional<Surroundings<double>>;
+using Around = std::optional<Neighbours<double>>;
 using EndKind = FaceEnd<double>::Kind;
 
 List<Around> around_of(const List<Shape<double>>& shapes) {
   List<StillShape> still;
   for (const Shape<double>& shape : shapes) still.push_back({&shape});
-  return find_surroundings(still);
+  return find_neighbours(still);
 }
 
 /// From x = left to right, and from y = bottom to top.
@@ -89,8 +89,7 @@ TEST_CASE("tiles side by side and on each other touch what the block that they m
         const Visitor visitor = random_visitor(round, margin, random);
         const bool block_first = round % 2 == 0;
         Deepest whole, parts;
-        const auto touch = [&](const Shape<double>& still, const Surroundings<double>* beside,
-                               Deepest& into) {
+        const auto touch = [&](const Shape<double>& still, const Neighbours<double>* beside, Deepest& into) {
           const Pose<double> origin;
           take_in(block_first
                       ? collide(still, origin, visitor.shape, visitor.pose, margin, {beside, nullptr})
@@ -138,7 +137,7 @@ TEST_CASE("a closed chain around a polygon touches what the polygon touches, as 
         Deepest polygon_touch, chain_touch;
         take_in(collide(whole, origin, visitor.shape, visitor.pose, margin), polygon_touch);
         for (int i = 0; i < around.link_count(); ++i) {
-          const Surroundings<double> beside = link_surroundings(around, i);
+          const Neighbours<double> beside = link_neighbours(around, i);
           const Shape<double> link = Segment<double>{around.point(i), around.point(i + 1)};
           take_in(collide(link, origin, visitor.shape, visitor.pose, margin, {&beside, nullptr}),
                   chain_touch);
@@ -212,14 +211,14 @@ TEST_CASE("segments that share an end have the normals between theirs outside, a
 }
 
 TEST_CASE(
-    "shapes that nothing touches, that lie apart, or are of another group or radius have no surroundings") {
+    "shapes that nothing touches, that lie apart, or are of another group or radius have no neighbours") {
   CHECK_FALSE(around_of({tile(-1, 0, -1, 0)})[0]);
   CHECK_FALSE(around_of({tile(-1, 0, -1, 0), tile(0.01, 1, -1, 0)})[0]);
   CHECK_FALSE(around_of({tile(-1, 0, -1, 0), circle(1, {1, 0})})[0]);
   CHECK_FALSE(around_of({tile(-1, 0, -1, 0), moved(box(0.8, 0.8, 0.1), {0.5, -0.5})})[0]);
   const Shape<double> left = tile(-1, 0, -1, 0), right = tile(0, 1, -1, 0);
   const List<StillShape> apart = {{&left, {}, 0}, {&right, {}, 1}};
-  CHECK_FALSE(find_surroundings(apart)[0]);
+  CHECK_FALSE(find_neighbours(apart)[0]);
 }
 
 TEST_CASE("a gap counts as closed, and tops as level, up to 5e-4 of the smaller tile's size") {
@@ -243,7 +242,7 @@ TEST_CASE("a gap counts as closed, and tops as level, up to 5e-4 of the smaller 
 
 TEST_CASE("a link of a chain has its back covered, and the normals between it and the next") {
   const Chain<double> hill = chain({{1, -1}, {0, 0}, {-1, 0}, {-2, 1}});
-  const Surroundings<double> first = link_surroundings(hill, 0), second = link_surroundings(hill, 1);
+  const Neighbours<double> first = link_neighbours(hill, 0), second = link_neighbours(hill, 1);
   CHECK(first.one_sided);
   CHECK(first.faces[1].is_covered());
   CHECK(first.faces[0].start.kind == EndKind::neighbour);  // straight on

@@ -42,7 +42,7 @@ struct FaceEnd {
 /// is level, and has one normal. A narrower one is a valley, whose corner nothing convex can touch. Of a face
 /// only what no neighbour covers can be met. All in the frame of the hull's body.
 template <Scalar Real>
-struct Surroundings {
+struct Neighbours {
   /// Of the face from vertex i to the next.
   struct Face {
     Real first = 0;            // [m] from its start: what is not covered lies between these
@@ -71,7 +71,7 @@ struct Surroundings {
   bool one_sided = false;     // a link of a chain: what has its middle behind face 0 is not touched
 
   /// Member by member.
-  bool operator==(const Surroundings&) const = default;
+  bool operator==(const Neighbours&) const = default;
 };
 
 /// How far hulls may be from lying exactly beside each other, as a share of the smaller one's size. Box2D's
@@ -80,7 +80,7 @@ inline constexpr double level_share = 5e-4;
 
 /// Of a link of a chain: the segment from point(link) to point(link + 1), whose face 0 bodies touch.
 template <Scalar Real>
-Surroundings<Real> link_surroundings(const Chain<Real>& chain, int link);
+Neighbours<Real> link_neighbours(const Chain<Real>& chain, int link);
 
 /// A shape where it stands for ever; shapes of different groups do not lie beside each other.
 struct StillShape {
@@ -91,11 +91,11 @@ struct StillShape {
 
 /// Of each shape what lies beside it; nothing where its neighbours leave it as it is. Shapes of one radius
 /// are neighbours, so polygons and segments, or capsules; discs have none. O(n) for shapes that are spread
-/// out. Where more than Broadphase::max_pairs of them overlap, none has surroundings.
-List<std::optional<Surroundings<double>>> find_surroundings(Span<const StillShape> shapes);
+/// out. Where more than Broadphase::max_pairs of them overlap, none has neighbours.
+List<std::optional<Neighbours<double>>> find_neighbours(Span<const StillShape> shapes);
 
 /// The same in another scalar.
 template <Scalar Real>
-Surroundings<Real> surroundings_cast(const Surroundings<double>& surroundings);
+Neighbours<Real> neighbours_cast(const Neighbours<double>& neighbours);
 
 }  // namespace cairn
