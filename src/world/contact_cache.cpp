@@ -88,7 +88,7 @@ template <Scalar Real>
 void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> numbers,
                                     const Substep<Real>& step) {
   List<CachedContact<Real>> contacts;
-  List<CachedManifold<Real>> lasting;
+  List<CachedManifold<Real>> manifolds;
   for (const NearPair& near : before.graph_.order()) {
     if (near.contact == NearPair::none) continue;
     const CachedContact<Real>& old = before.graph_[near.contact];
@@ -98,12 +98,12 @@ void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> 
     cached.impulses = old.impulses;
     contacts.push_back(cached);
     if (!before.graph_.keeps_manifolds()) continue;
-    lasting.push_back(before.graph_.manifold(near.contact));
-    lasting.back().is_found = lasting.back().is_found &&
+    manifolds.push_back(before.graph_.manifold(near.contact));
+    manifolds.back().is_found = manifolds.back().is_found &&
                               has_same_neighbours((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
                               has_same_neighbours((*before.colliders_)[old.collider_b], (*colliders_)[b]);
   }
-  graph_.begin_with(std::move(contacts), std::move(lasting));
+  graph_.begin_with(std::move(contacts), std::move(manifolds));
 }
 
 /// Whether two shapes that are near, so that one can move, ever touch.

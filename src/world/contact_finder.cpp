@@ -106,8 +106,8 @@ template <Scalar Real>
 void ContactFinder<Real>::choose_candidates() {
   for (const NearPair& near : cache_.graph_.order()) {
     if (cache_.rounds_.seen(near.contact) == nullptr) continue;
-    const CachedManifold<Real>& lasting = cache_.graph_.manifold(near.contact);
-    if (!lasting.is_found || lasting.manifold.count > 0) {
+    const CachedManifold<Real>& cached = cache_.graph_.manifold(near.contact);
+    if (!cached.is_found || cached.manifold.count > 0) {
       cache_.candidates_.push_back(near.contact);
     } else {
       cache_.graph_[near.contact].impulses.count = 0;

@@ -52,8 +52,8 @@ class ContactGraph {
   /// Of no shapes.
   ContactGraph() = default;
   /// As NearPairs, with room for as many pairs as shapes. Contacts have cached manifolds only if asked for.
-  ContactGraph(BroadphaseKind kind, const List<char>& movable, bool keeps_manifolds)
-      : near_(kind, movable), keeps_manifolds_(keeps_manifolds) {
+  ContactGraph(BroadphaseKind kind, const List<char>& movable, bool with_manifolds)
+      : near_(kind, movable), keeps_manifolds_(with_manifolds) {
     order_.reserve(movable.size());
     next_.reserve(movable.size());
     contacts_.reserve(movable.size());
@@ -168,7 +168,7 @@ class ContactGraph {
   List<CachedManifold<Real>> manifolds_;  // of contacts_, or none
   List<NearPair> order_;
   List<int> free_;
-  bool keeps_manifolds_ = false;  // lasting_ is kept
+  bool keeps_manifolds_ = false;  // contacts have manifolds
   int added_ = 0;                 // contacts, since they were in order
   List<NearPair> next_;           // scratch
 };
