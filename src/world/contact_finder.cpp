@@ -198,10 +198,10 @@ bool ContactFinder<Real>::has_cached_manifold(int number) const {
   const Real margin = static_cast<Real>(*step_.plan.settings.speculative_margin);
   const CachedContact<Real>& cached = cache_.graph_[number];
   const Pose<Real> now = relative_pose(cached, found.a_moves);
-  const Real way = (now.position - found.position).norm();
+  const Real distance = (now.position - found.position).norm();
   // What was beyond the margin has not come in by more than a quarter of it.
   const Real most = std::min(margin / 4, nearness(cached));
-  if (!(way + found.radius * std::abs(now.angle - found.angle) <= most)) return false;
+  if (!(distance + found.radius * std::abs(now.angle - found.angle) <= most)) return false;
   return is_slow(cached, travel(cached)) ||
          is_touching(found.manifold.at(cache_.frames_[cached.a], cache_.frames_[cached.b], margin),
                      nearness(cached));
@@ -215,11 +215,11 @@ void ContactFinder<Real>::find_cached_manifold(int number) {
   const ColliderForm<Real>& a = *(*cache_.colliders_)[cached.collider_a].form;
   const ColliderForm<Real>& b = *(*cache_.colliders_)[cached.collider_b].form;
   CachedManifold<Real>& found = cache_.graph_.manifold(number);
-  const Real way = travel(cached);
+  const Real distance = travel(cached);
   const Manifold<Real> manifold =
-      collide_pair(cached, cache_.frames_[cached.a], cache_.frames_[cached.b], margin_for(cached, way));
+      collide_pair(cached, cache_.frames_[cached.a], cache_.frames_[cached.b], margin_for(cached, distance));
   found = {.a_moves = a.radius < b.radius,
-           .is_found = is_slow(cached, way) || is_touching(manifold, nearness(cached))};
+           .is_found = is_slow(cached, distance) || is_touching(manifold, nearness(cached))};
   if (!found.is_found) return;
   found.manifold =
       keep(manifold, cache_.frames_[cached.a], a.core_radius, cache_.frames_[cached.b], b.core_radius);

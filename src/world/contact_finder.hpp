@@ -39,7 +39,7 @@ class ContactFinder {
   void look_ahead(Real time);
   typename LookAhead<Real>::Places places() const { return {step_.state.pose, cache_.frames_}; }
   Real travel(const CachedContact<Real>& cached) const;
-  Real slow_way(const CachedContact<Real>& cached) const;
+  Real slow_travel(const CachedContact<Real>& cached) const;
   bool is_slow(const CachedContact<Real>& cached, Real travel) const;
   Real nearness(const CachedContact<Real>& cached) const;
   Real margin_for(const CachedContact<Real>& cached, Real travel) const;

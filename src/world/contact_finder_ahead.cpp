@@ -22,15 +22,15 @@ namespace {
 template <Scalar Real>
 Real least_distance(const Course<Real>& a, const Course<Real>& b, Real time) {
   const Vec2<Real> arm = b.pose.position - a.pose.position;
-  const Vec2<Real> way = time * (b.velocity - a.velocity).template head<2>();
-  const Real squared = way.squaredNorm();
-  const Real share = squared > 0 ? std::clamp(-arm.dot(way) / squared, Real(0), Real(1)) : Real(0);
-  return (arm + share * way).norm();
+  const Vec2<Real> path = time * (b.velocity - a.velocity).template head<2>();
+  const Real squared = path.squaredNorm();
+  const Real share = squared > 0 ? std::clamp(-arm.dot(path) / squared, Real(0), Real(1)) : Real(0);
+  return (arm + share * path).norm();
 }
 
 /// [m] How far a shape goes in a unit direction at most; negative where it goes back.
 template <Scalar Real>
-Real most_way(const LookAhead<Real>& outlook, const Vec2<Real>& direction, const Collider<Real>& it) {
+Real most_travel(const LookAhead<Real>& outlook, const Vec2<Real>& direction, const Collider<Real>& it) {
   Real most = -std::numeric_limits<Real>::infinity();
   outlook.for_each_velocity(it.body, [&](const Vec3<Real>& velocity) {
     const Real turning = std::abs(velocity.z()) * (it.form->radius - it.form->core_radius);
@@ -55,7 +55,8 @@ void ContactFinder<Real>::look_ahead(Real time) {
 template <Scalar Real>
 Real ContactFinder<Real>::travel(const CachedContact<Real>& cached) const {
   return cache_.outlook_.travel((*cache_.colliders_)[cached.collider_a],
-                                (*cache_.colliders_)[cached.collider_b], step_.state.pose, slow_way(cached));
+                                (*cache_.colliders_)[cached.collider_b], step_.state.pose,
+                                slow_travel(cached));
 }
 
 /// [m] What a manifold may be off by.
@@ -66,13 +67,13 @@ Real ContactFinder<Real>::nearness(const CachedContact<Real>& cached) const {
 
 /// [m] Of a pair that comes no farther, all it can touch is near now.
 template <Scalar Real>
-Real ContactFinder<Real>::slow_way(const CachedContact<Real>& cached) const {
+Real ContactFinder<Real>::slow_travel(const CachedContact<Real>& cached) const {
   return std::min(static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, cached.slop_limit);
 }
 
 template <Scalar Real>
 bool ContactFinder<Real>::is_slow(const CachedContact<Real>& cached, Real travel) const {
-  return travel <= slow_way(cached);
+  return travel <= slow_travel(cached);
 }
 
 /// [m] Below it points have rows. One end of a body that comes down is thrown down by what stops the other.
@@ -96,9 +97,9 @@ template <Scalar Real>
 void ContactFinder<Real>::touch_ahead(int number) {
   const CachedContact<Real>& cached = cache_.graph_[number];
   if (is_news(cached, number)) {
-    const Real way = travel(cached);
-    cache_.rounds_.of(cached, number).is_slow = is_slow(cached, way);
-    touch(number, manifold_ahead(number, way));
+    const Real distance = travel(cached);
+    cache_.rounds_.of(cached, number).is_slow = is_slow(cached, distance);
+    touch(number, manifold_ahead(number, distance));
   }
   stop(number);
 }
@@ -119,18 +120,18 @@ bool ContactFinder<Real>::stay_apart(const CachedContact<Real>& cached, const Ve
   const Real far = (frame_b.position - frame_a.position).cwiseAbs().sum() + a.form->radius + b.form->radius;
   const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * far;
   const Real closing =
-      most_way(cache_.outlook_, direction, a) + most_way<Real>(cache_.outlook_, -direction, b);
+      most_travel(cache_.outlook_, direction, a) + most_travel<Real>(cache_.outlook_, -direction, b);
   return gap_along(direction, *a.form->shape, frame_a, *b.form->shape, frame_b) >
          room + leeway_of(cached) + rounding + std::max(closing, Real(0));
 }
 
 /// What a pair that travels so far [m] will touch with.
 template <Scalar Real>
-Manifold<Real> ContactFinder<Real>::manifold_ahead(int number, Real way) {
+Manifold<Real> ContactFinder<Real>::manifold_ahead(int number, Real distance) {
   const CachedContact<Real>& cached = cache_.graph_[number];
   Vec2<Real>& apart = cache_.rounds_.of(cached, number).apart;
-  const Real margin = margin_for(cached, way);
-  if (is_slow(cached, way))
+  const Real margin = margin_for(cached, distance);
+  if (is_slow(cached, distance))
     return collide_pair(cached, cache_.frames_[cached.a], cache_.frames_[cached.b], margin);
   if (stay_apart(cached, apart)) return {};
   const Collider &a = (*cache_.colliders_)[cached.collider_a], &b = (*cache_.colliders_)[cached.collider_b];
