@@ -13,7 +13,7 @@ namespace cairn {
 namespace {
 
 // Softness, of rows with ones on the diagonal.
-constexpr double warm_softness = 1e-7;
+constexpr double warm_softness = 1e-6;
 constexpr double cold_softness = 1e-2;
 constexpr double softest = 10;
 constexpr double stiffest = 1e-9;  // below it, factors in double have few digits left
@@ -102,7 +102,6 @@ typename NewtonSolver<Real>::Work NewtonSolver<Real>::rounding() const {
 template <Scalar Real>
 void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again) {
   const bool keeps_rows = again && rows_.begin_again(problem);
-  const bool keeps_center = keeps_rows && problem.impulse == best_;
   if (!keeps_rows) {
     rows_.begin(problem);
     factors_.begin();
@@ -111,20 +110,27 @@ void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again
   inside_.clear();
   systems_ = 0;
   sweeps_ = sweeps_of_a_look;
+  if (keeps_rows && last_is_answer()) return;
   best_ = problem.impulse;
   // Where nothing moves and no row asks for anything, no impulses are the answer, and R_E has no scale.
   const bool rests = settings_.iterations > 0 && rows_.scale() == 0;
   if (rests) best_.assign(best_.size(), Work(0));
-  if (keeps_center && !rests) {
-    rows_.keep_center();
-  } else {
-    rows_.center_at(best_);
-  }
-  residual_ = least_residual_ = std::numeric_limits<Work>::infinity();
+  rows_.center_at(best_);
+  least_residual_ = std::numeric_limits<Work>::infinity();
   note_center();
   // Nothing can be said of what is no number.
   const Work good_start = std::max(goal(), rounding_in<Real>(rows_, 1));
   if (settings_.iterations > 0 && residual_ > good_start && std::isfinite(residual_)) approach(problem);
+}
+
+/// Whether what it gave before answers the rows as they are now.
+template <Scalar Real>
+bool NewtonSolver<Real>::last_is_answer() {
+  if (settings_.iterations == 0 || rows_.scale() == 0) return false;
+  rows_.keep_center();
+  least_residual_ = std::numeric_limits<Work>::infinity();
+  note_center();
+  return residual_ <= goal();
 }
 
 template <Scalar Real>
@@ -155,7 +161,7 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
   while (least_residual_ > goal() && failures < most_failures) {
     const Work before = least_residual_;
     rows_.soften(softness);
-    const bool is_solved = solve_softened();
+    const bool is_solved = solve_softened(failures == 0 ? 1 : settings_.iterations);
     rows_.center_at_last();
     note_center();
     if (is_solved) {
@@ -169,13 +175,15 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
       continue;
     }
     if (least_residual_ <= enough()) break;
-    // What was found is kept where it is nearer. After the first failure, and after many, sweeps lead on.
+    // What was found is kept where it is nearer. Where the interior does not lead there, and after many
+    // failures, sweeps do.
+    if (failures == 0) follow_interior();
     if (failures % failures_before_sweeps == 0) {
-      sweep(problem, sweeps);
-      sweeps *= 2;
-      softness = Work(cold_softness);
-      if (failures == 0 && systems_ < settings_.iterations) follow_interior();
-      if (least_residual_ <= enough()) softness = Work(warm_softness);
+      if (least_residual_ > enough()) {
+        sweep(problem, sweeps);
+        sweeps *= 2;
+        softness = Work(cold_softness);
+      }
     } else {
       rows_.center_at(best_);
       note_center();
@@ -198,13 +206,14 @@ void NewtonSolver<Real>::go_on() {
 
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
 template <Scalar Real>
-bool NewtonSolver<Real>::solve_softened() {
+bool NewtonSolver<Real>::solve_softened(int most_systems) {
   const Work small = std::max(Work(1e-2) * residual_, Work(1e-1) * goal()) * rows_.scale();
   du_ = Vector<Work>::Zero(rows_.freedoms());
   Work error = rows_.evaluate_at_center().norm();
+  const int last_system = std::min(settings_.iterations, systems_ + most_systems);
   for (int step = 0; step < steps_of_one_problem && error > small; ++step) {
     if (take_kept_step(error)) continue;
-    if (systems_ >= settings_.iterations || !take_new_step(error)) return false;
+    if (systems_ >= last_system || !take_new_step(error)) return false;
   }
   return error <= small;
 }

@@ -14,10 +14,12 @@ namespace cairn {
 
 /// Sees the rows, and solves all of them at once, by the proximal steps of newton.hpp: rows a little soft
 /// around the impulses of the moment, each such problem by Newton's method, one sparse linear system after
-/// the other. It differs from newton() in five things. It begins from the warm start, and at a softness from
-/// which a pile at rest needs one or two systems; only where that fails do sweeps of accelerated PGS lead on.
-/// From there it goes through the interior of all bounds (interior_rows.hpp), where they are of that kind:
-/// after an impact, or where friction slides at many points, steps of Newton's method stop at each kink.
+/// the other. It differs from newton() in five things. It begins from the warm start, at a softness from
+/// which what changes little needs one system at most. Where one is not the answer, rows change sides, and it
+/// goes through the interior of all bounds (interior_rows.hpp), where they are of that kind: after an impact,
+/// or where friction slides at many points, steps of Newton's method stop at each kink. That way ends far
+/// inside the bounds of all rows that need not be at theirs, so that what is left over moves no row across in
+/// the steps that follow. Only where it fails do sweeps of accelerated PGS lead on.
 /// It computes in double (for float too), on factors in blocks (block_factors.hpp). It keeps factors from
 /// solve to solve: an old system gives a step for a tenth of what a new one costs, and is asked first, for as
 /// long as each step leaves less than a third of the error (slope_factors.hpp). And it stops by the settings'
@@ -25,9 +27,11 @@ namespace cairn {
 ///
 /// A warm start within a hundredth of the tolerance is the answer. Where it has to solve at all, it goes on
 /// to that hundredth, if systems lead there without a failure: what is left over comes back in the next step,
-/// and an answer that is just good enough makes that one solve again. So a tolerance above 1e-6 is taken for
-/// 1e-6: what stops at 1e-3 takes four to ten times as long over a pile at rest. What no impulse of type Real
-/// comes nearer to is an answer too. SolveReport::converged means the tolerance itself, as it was asked for.
+/// and an answer that is just good enough makes that one solve again. A row that is softer by epsilon answers
+/// what is left of its speed by an impulse of 1 / epsilon times that, and where that is not small beside its
+/// own, it changes sides. So a tolerance above 1e-7 is taken for 1e-7, a tenth of the first epsilon. What no
+/// impulse of type Real comes nearer to is an answer too. SolveReport::converged means the tolerance itself,
+/// as it was asked for.
 ///
 /// Impulses that hardly move a body, such as the pull along a straight chain, change little in a proximal
 /// step, and alike in each. So where a step leaves most of R_E, it goes on along that step to the least error
@@ -38,7 +42,8 @@ namespace cairn {
 /// guaranteed. Where it has not converged it gives the impulses with the least R_E that it has seen, those of
 /// the warm start among them.
 ///
-/// What it solves again has the rows of before, scaled already, and most often the impulses that it gave.
+/// What it solves again has the rows of before, scaled already. Where the answer of before is one to the new
+/// problem as well, it stays, whatever the warm start.
 ///
 /// The factors that it has kept change the way to the answer: a solver that has solved other problems may
 /// differ from a new one within the tolerance, and by anything where neither has converged. The same sequence
@@ -81,15 +86,16 @@ class NewtonSolver final : public Solver<Real> {
   Work goal() const;
   Work rounding() const;
   void go_on();
-  bool solve_softened();
+  bool solve_softened(int most_systems);
   bool take_kept_step(Work& error);
   bool take_new_step(Work& error);
   void follow_interior();
   Work take_interior_step();
   bool shorten(const Vector<Work>& change, Work& error);
   void note_center();
+  bool last_is_answer();
 
-  static constexpr double loosest_tolerance = 1e-6;
+  static constexpr double loosest_tolerance = 1e-7;
 
   SolverSettings settings_;
   ProximalRows<Work> rows_;
