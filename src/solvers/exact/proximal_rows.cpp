@@ -10,7 +10,7 @@ template <Scalar Real>
 void ProximalRows<Real>::begin(const VelocityProblem<Real>& problem) {
   freedoms_ = 3 * problem.body_count();
   epsilon_ = 1;
-  has_friction_ = false;
+  late_.clear();
   root_.clear();
   for (const Vec3<Real>& mass : problem.inverse_mass) root_.push_back(mass.cwiseSqrt());
   terms_.clear();
@@ -57,7 +57,7 @@ void ProximalRows<Real>::append(const VelocityProblem<Real>& problem, const Cons
   scaled.constant = unit * (jv - row.bias);
   scaled.unit = unit;
   scaled.bounds = row.bounds;
-  has_friction_ = has_friction_ || row.bounds.is_friction();
+  if (is_late(rows_.size() - 1)) late_.push_back(rows_.size() - 1);
   if (row.bounds.is_equality() || row.bounds.is_friction() || !(unit > 0)) return;
   scaled.bounds.lower /= unit;
   scaled.bounds.upper /= unit;
@@ -141,14 +141,17 @@ void ProximalRows<Real>::go_on() {
 /// w' and the error at x'.
 template <Scalar Real>
 void ProximalRows<Real>::look_around() {
-  Real sum = 0;
+  Real errors = 0, impulses = 0;
   for (int i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    center_w_(i) = product(row, center_u_) + row.softness * center_(i) + row.constant;
-    const Real e = center_(i) - clamp(i, center_(i) - center_w_(i), center_);
-    sum += e * e;
+    const Real x = center_(i), w = product(row, center_u_) + row.softness * x + row.constant;
+    const Real e = x - clamp(i, x - w, center_);
+    center_w_(i) = w;
+    errors += e * e;
+    impulses += x * x;
   }
-  error_ = std::sqrt(sum);
+  error_ = std::sqrt(errors);
+  center_size_ = std::sqrt(impulses);
 }
 
 template <Scalar Real>

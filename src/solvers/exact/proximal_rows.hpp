@@ -65,7 +65,7 @@ class ProximalRows {
     return before + root_[body].cwiseProduct(center_u_.template segment<3>(3 * body.index));
   }
   /// |x'|: error() cannot fall below its roundings.
-  Real center_size() const { return center_.norm(); }
+  Real center_size() const { return center_size_; }
   /// How soft the rows are from now on.
   void soften(Real epsilon) { epsilon_ = epsilon; }
   /// How soft they are.
@@ -144,21 +144,24 @@ class ProximalRows {
   Real clamp_friction(const Row& row, Real wish, const Vector<Real>& x) const;
   /// d clamp / d x_other, at the end that `wish` is beyond.
   Real slope_of_limit(int i, int other) const;
-  /// Calls visit(i) for all rows, those that limit others first.
+  /// Whether row i is limited by one behind it.
+  bool is_late(int i) const {
+    return std::max(rows_[i].bounds.normal_row, rows_[i].bounds.second_normal_row) > i;
+  }
+  /// Calls visit(i) for all rows, those that limit others before them.
   template <typename Visit>
   void for_each_row(const Visit& visit) const {
     for (int i = 0; i < rows_.size(); ++i)
-      if (!rows_[i].bounds.is_friction()) visit(i);
-    if (!has_friction_) return;
-    for (int i = 0; i < rows_.size(); ++i)
-      if (rows_[i].bounds.is_friction()) visit(i);
+      if (!is_late(i)) visit(i);
+    for (const int i : late_) visit(i);
   }
 
   Eigen::Index freedoms_ = 0;
   Real epsilon_ = 1;
   Real scale_ = 0;
   Real error_ = 0;  // at the centre
-  bool has_friction_ = false;
+  Real center_size_ = 0;
+  List<int> late_;  // rows that are limited by one behind them
   List<Term> terms_;
   PerRow<Row> rows_;
   PerBody<Vec3<Real>> root_;  // of each body's inverse mass
