@@ -32,12 +32,10 @@ const std::map<std::string, std::pair<int, int>> larger_classes = {
     // Reads keys of every type.
     {"SceneTable", {15, 4}},
     // To be taken apart.
-    {"InteriorRows", {14, 6}},
     {"LaneContactBatch", {0, 16}},
     {"LaneSystem", {16, 19}},
     {"LookAhead", {15, 11}},
     {"Plan", {0, 26}},
-    {"ProximalRows", {30, 17}},
     {"Scene", {20, 7}},
     {"SceneBuilder", {18, 9}},
 };

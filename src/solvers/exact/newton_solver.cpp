@@ -30,15 +30,16 @@ constexpr double good_progress = 0.1;
 // and where that is at the stiffest already, so often in a row, it stands still.
 constexpr double least_progress = 0.5;
 constexpr int most_idle = 3;
-constexpr double kept_progress = 0.3;  // of |F| in a step by kept factors: else they do not help any more
+constexpr double kept_progress = 0.3;     // of |F| in a step by kept factors: else they do not help any more
+constexpr double least_part = 1.0 / 256;  // of a step by factors of the moment
 // In time: to look at a problem, and a step by kept factors.
 constexpr int sweeps_of_a_look = 3;
 constexpr int sweeps_of_a_kept_step = 2;
 
 /// R_E that numbers of this type leave, in each impulse so many roundings of it.
 template <typename Number, typename Work>
-Work rounding_in(const ProximalRows<Work>& rows, int roundings) {
-  const Work impulses = rows.scale() > 0 ? rows.center_size() / rows.scale() : Work(0);
+Work rounding_in(Work scale, Work size_of_impulses, int roundings) {
+  const Work impulses = scale > 0 ? size_of_impulses / scale : Work(0);
   return std::numeric_limits<Number>::epsilon() * std::max(Work(roundings_of_residual), roundings * impulses);
 }
 
@@ -72,7 +73,8 @@ SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem,
   give_answer(problem);
   SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
   const Work asked = static_cast<Work>(settings_.tolerance);
-  report.converged = least_residual_ <= std::max({asked, rounding(), rounding_in<Real>(rows_, 1)});
+  report.converged =
+      least_residual_ <= std::max({asked, rounding(), rounding_in<Real>(rows_.scale(), center_.size(), 1)});
   if (report.converged) report.stop = Stop::tolerance;
   report.residual = static_cast<double>(least_residual_);
   return report;
@@ -82,10 +84,10 @@ template <Scalar Real>
 void NewtonSolver<Real>::give_answer(VelocityProblem<Real>& problem) {
   for (int i = 0; i < problem.row_count(); ++i) problem.impulse[i] = static_cast<Real>(best_[i]);
   if (!std::isfinite(least_residual_)) return apply_impulses(problem);
-  if (residual_ != least_residual_) rows_.center_at(best_);
+  if (residual_ != least_residual_) center_.go_to(rows_, best_);
   for (const BodyId body : problem.velocity.indices()) {
     const Vec3<Work> before = problem.velocity[body].template cast<Work>();
-    problem.velocity[body] = rows_.center_velocity(body, before).template cast<Real>();
+    problem.velocity[body] = rows_.velocity_of(body, before, center_.u()).template cast<Real>();
   }
 }
 
@@ -96,7 +98,7 @@ typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
 
 template <Scalar Real>
 typename NewtonSolver<Real>::Work NewtonSolver<Real>::rounding() const {
-  return rounding_in<Work>(rows_, roundings_of_impulses);
+  return rounding_in<Work>(rows_.scale(), center_.size(), roundings_of_impulses);
 }
 
 template <Scalar Real>
@@ -115,11 +117,11 @@ void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again
   // Where nothing moves and no row asks for anything, no impulses are the answer, and R_E has no scale.
   const bool rests = settings_.iterations > 0 && rows_.scale() == 0;
   if (rests) best_.assign(best_.size(), Work(0));
-  rows_.center_at(best_);
+  center_.go_to(rows_, best_);
   least_residual_ = std::numeric_limits<Work>::infinity();
   note_center();
   // Nothing can be said of what is no number.
-  const Work good_start = std::max(goal(), rounding_in<Real>(rows_, 1));
+  const Work good_start = std::max(goal(), rounding_in<Real>(rows_.scale(), center_.size(), 1));
   if (settings_.iterations > 0 && residual_ > good_start && std::isfinite(residual_)) approach(problem);
 }
 
@@ -127,7 +129,7 @@ void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again
 template <Scalar Real>
 bool NewtonSolver<Real>::last_is_answer() {
   if (settings_.iterations == 0 || rows_.scale() == 0) return false;
-  rows_.keep_center();
+  center_.stay(rows_);
   least_residual_ = std::numeric_limits<Work>::infinity();
   note_center();
   return residual_ <= goal();
@@ -135,11 +137,11 @@ bool NewtonSolver<Real>::last_is_answer() {
 
 template <Scalar Real>
 void NewtonSolver<Real>::note_center() {
-  const Work error = rows_.error();
+  const Work error = center_.error();
   residual_ = error == 0 ? 0 : error / rows_.scale();
   if (!(residual_ < least_residual_)) return;
   least_residual_ = residual_;
-  rows_.copy_center_to(best_);
+  rows_.copy_impulses(center_.x(), best_);
 }
 
 /// The best impulses so far after some sweeps: what Newton's method finds easier to begin with.
@@ -149,7 +151,7 @@ void NewtonSolver<Real>::sweep(const VelocityProblem<Work>& problem, int sweeps)
   swept_.impulse = best_;
   AcceleratedProjectedGaussSeidel<Work>({.iterations = sweeps}).solve(swept_);
   sweeps_ += sweeps;
-  rows_.center_at(swept_.impulse);
+  center_.go_to(rows_, swept_.impulse);
   note_center();
 }
 
@@ -160,9 +162,9 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
   int failures = 0, idle = 0, sweeps = first_sweeps;
   while (least_residual_ > goal() && failures < most_failures) {
     const Work before = least_residual_;
-    rows_.soften(softness);
+    map_.soften(softness);
     const bool is_solved = solve_softened(failures == 0 ? 1 : settings_.iterations);
-    rows_.center_at_last();
+    center_.go_to(rows_, map_.x(), map_.response());
     note_center();
     if (is_solved) {
       if (least_residual_ <= Work(good_progress) * before) continue;
@@ -185,7 +187,7 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
         softness = Work(cold_softness);
       }
     } else {
-      rows_.center_at(best_);
+      center_.go_to(rows_, best_);
       note_center();
       softness = std::min(softness * Work(softness_step), Work(softest));
     }
@@ -197,10 +199,10 @@ void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
 /// Past the last step; back to the best impulses where that is not better.
 template <Scalar Real>
 void NewtonSolver<Real>::go_on() {
-  rows_.go_on();
+  center_.go_on(rows_, [this](int i) { return map_.is_held(i); });
   note_center();
   if (residual_ == least_residual_) return;
-  rows_.center_at(best_);
+  center_.go_to(rows_, best_);
   note_center();
 }
 
@@ -208,58 +210,31 @@ void NewtonSolver<Real>::go_on() {
 template <Scalar Real>
 bool NewtonSolver<Real>::solve_softened(int most_systems) {
   const Work small = std::max(Work(1e-2) * residual_, Work(1e-1) * goal()) * rows_.scale();
-  du_ = Vector<Work>::Zero(rows_.freedoms());
-  Work error = rows_.evaluate_at_center().norm();
   const int last_system = std::min(settings_.iterations, systems_ + most_systems);
-  for (int step = 0; step < steps_of_one_problem && error > small; ++step) {
-    if (take_kept_step(error)) continue;
-    if (systems_ >= last_system || !take_new_step(error)) return false;
-  }
-  return error <= small;
+  return steps_.solve(at(), small, steps_of_one_problem,
+                      [&] { return take_kept_step() || (systems_ < last_system && take_new_step()); });
 }
 
 /// A step by factors of an earlier system, or of an earlier solve; false: they do not help, and nothing has
 /// changed.
 template <Scalar Real>
-bool NewtonSolver<Real>::take_kept_step(Work& error) {
-  if (!factors_.are_for(rows_) || factors_.softness() != rows_.softness()) return false;
+bool NewtonSolver<Real>::take_kept_step() {
+  if (!factors_.are_for(rows_) || factors_.softness() != map_.softness()) return false;
   sweeps_ += sweeps_of_a_kept_step;
-  change_ = rows_.value();
+  change_ = map_.value();
   factors_.solve(change_);
-  next_ = du_ - change_;
-  const Work left = rows_.evaluate(next_).norm();
-  if (left <= Work(kept_progress) * error) {
-    du_.swap(next_);
-    error = left;
-    return true;
-  }
-  rows_.evaluate(du_);
-  return false;
+  return steps_.leap(at(), change_, Work(kept_progress));
 }
 
 /// A step by factors of the moment, shortened until it helps; false: it does not.
 template <Scalar Real>
-bool NewtonSolver<Real>::take_new_step(Work& error) {
+bool NewtonSolver<Real>::take_new_step() {
   Deadline::go_on();
   ++systems_;
-  factors_.factorize(rows_, rows_);
-  change_ = rows_.value();
+  factors_.factorize(rows_, map_, map_.softness());
+  change_ = map_.value();
   factors_.solve(change_);
-  return change_.allFinite() && shorten(change_, error);
-}
-
-/// Goes a share of the step that makes the error fall: the largest of 1, 1/2, 1/4 ...; false: there is none.
-template <Scalar Real>
-bool NewtonSolver<Real>::shorten(const Vector<Work>& change, Work& error) {
-  for (Work share = 1; share >= Work(1.0 / 256); share /= 2) {
-    next_ = du_ - share * change;
-    const Work left = rows_.evaluate(next_).norm();
-    if (!(left < (1 - share / 10000) * error)) continue;
-    du_ = next_;
-    error = left;
-    return true;
-  }
-  return false;
+  return change_.allFinite() && steps_.shorten(at(), change_, Work(least_part));
 }
 
 template class NewtonSolver<float>;

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "solvers/exact/interior_rows.hpp"
-#include "solvers/exact/proximal_rows.hpp"
+#include "solvers/exact/newton_steps.hpp"
 #include "solvers/exact/slope_factors.hpp"
 #include "solvers/solver.hpp"
 #include "math/list.hpp"
@@ -67,7 +67,7 @@ class NewtonSolver final : public Solver<Real> {
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   SolveReport solve_again(VelocityProblem<Real>& problem) override;
   std::size_t memory() const override {
-    const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
+    const Eigen::Index numbers = center_.numbers() + map_.numbers() + steps_.numbers() + change_.size();
     return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
            static_cast<std::size_t>(numbers) * sizeof(Work);
   }
@@ -87,23 +87,24 @@ class NewtonSolver final : public Solver<Real> {
   Work rounding() const;
   void go_on();
   bool solve_softened(int most_systems);
-  bool take_kept_step(Work& error);
-  bool take_new_step(Work& error);
+  bool take_kept_step();
+  bool take_new_step();
   void follow_interior();
   Work take_interior_step();
-  bool shorten(const Vector<Work>& change, Work& error);
+  typename NewtonSteps<Work>::Place at() { return {rows_, center_, map_}; }
   void note_center();
   bool last_is_answer();
 
   static constexpr double loosest_tolerance = 1e-7;
 
   SolverSettings settings_;
-  ProximalRows<Work> rows_;
+  ScaledRows<Work> rows_;
+  ProximalCenter<Work> center_;
+  ProximalMap<Work> map_;
+  NewtonSteps<Work> steps_;
   InteriorRows<Work> interior_;
   SlopeFactors<Work> factors_;  // of the last system, in this solve or in an earlier one
-  Vector<Work> du_;             // where Newton's method is
-  Vector<Work> next_;           // and where it may go
-  Vector<Work> change_;         // its step
+  Vector<Work> change_;         // a step of Newton's method
   Work residual_ = 0;           // R_E at the centre
   Work least_residual_ = 0;
   PerRow<Work> inside_;          // [N s] impulses on the way through the interior

@@ -9,7 +9,6 @@
 
 #include "../solver_list.hpp"
 #include "solvers/exact/exact_rows.hpp"
-#include "solvers/exact/proximal_rows.hpp"
 #include "solvers/residual.hpp"
 #include "world/world.hpp"
 
@@ -260,14 +259,6 @@ TEST_CASE_TEMPLATE("Newton's method gives the same bits for the same sequence of
   CHECK(one.memory() > 0);
 }
 
-TEST_CASE("rows in sqrt(J) measure R_E by the scale of exact problems") {
-  for (const VelocityProblem<double>& problem : {loaded_stack(7, 100), pushed_box(3), pushed_box(0)}) {
-    ProximalRows<double> rows;
-    rows.begin(problem);
-    CHECK(rows.scale() == doctest::Approx(exact_scale(problem)).epsilon(1e-14));
-  }
-}
-
 TEST_CASE("without systems Newton's method applies the warm start, inside its bounds") {
   VelocityProblem<double> problem = hand_made_stack<double>(1, 10, 0.5);
   problem.impulse[0] = 2;
@@ -285,41 +276,4 @@ TEST_CASE("where all rests and no row asks for anything, Newton's method drops t
   NewtonSolver<double>({.iterations = 20}).solve(problem);
   for (const double impulse : problem.impulse) CHECK(impulse == 0);
   for (const Vec3<double>& v : problem.velocity) CHECK(v.isZero(0));
-}
-
-TEST_CASE("beyond a proximal step lies the pull of a straight rope, which hardly moves what hangs in it") {
-  const double slope = 1e-3;  // of both halves of a rope with 1 kg in its middle
-  VelocityProblem<double> problem;
-  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 0)};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(0, -speed_of_a_step, 0)};
-  for (const double side : {-1, 1}) problem.rows.push_back({.b = {1}, .jacobian_b = {side, slope, 0}});
-  problem.impulse.assign(2, 0);
-  ProximalRows<double> rows;
-  rows.begin(problem);
-  rows.center_at(problem.impulse);
-  rows.soften(1e-3);  // both rows together have 2 slope^2, 500 times less
-  Vector<double> du = Vector<double>::Zero(rows.freedoms());
-  for (int step = 0; step < 2; ++step) {
-    SlopeFactors<double> factors;
-    factors.begin();
-    rows.evaluate(du);
-    factors.factorize(rows, rows);
-    Vector<double> change = rows.value();
-    factors.solve(change);
-    du -= change;
-  }
-  rows.evaluate(du);
-  rows.center_at_last();
-  PerRow<double> impulses;
-  rows.copy_center_to(impulses);
-  const double pull = speed_of_a_step / (2 * slope);
-  CHECK(impulses[0] < pull / 100);
-  rows.go_on();
-  rows.copy_center_to(impulses);
-  // Roundings of w', beside 2 slope^2 of it.
-  for (const double impulse : impulses) CHECK(impulse == doctest::Approx(pull).epsilon(1e-9));
-  // Nothing has led there now, so there is no way to go on.
-  rows.center_at(problem.impulse);
-  rows.go_on();
-  CHECK(rows.center(0) == 0);
 }

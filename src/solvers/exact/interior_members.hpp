@@ -1,0 +1,39 @@
+// Floor 4. Which rows go through the interior of their bounds together.
+#pragma once
+
+#include "solvers/exact/scaled_rows.hpp"
+
+namespace cairn {
+
+/// One impulse p that is never negative, with its speed z.
+template <Scalar Real>
+struct InteriorSide {
+  Real impulse = 0;
+  Real speed = 0;
+  Real impulse_change = 0;  // of the direction
+  Real speed_change = 0;
+  Real error = 0;    // of the speed, beside what the velocities say
+  Real product = 0;  // of changes
+};
+
+/// What a row gives, with its friction where it has some.
+template <Scalar Real>
+struct InteriorMember {
+  int row = 0;
+  int friction = -1;
+  int sides = 1;        // 0: without bounds
+  Real direction = 1;   // -1: it has an upper bound
+  Real bound = 0;       // or, without bounds, the impulse itself
+  Real ratio = 0;       // m
+  Real lift_slope = 0;  // d|w_t| / dw_t, smooth at 0
+  InteriorSide<Real> plus = {};
+  InteriorSide<Real> minus = {};
+  Real plus_slope = 0, minus_slope = 0, mixed_slope = 0;  // -dp / dz, with each other
+};
+
+/// One for each row that can do anything and is no friction, in the order of rows.
+/// @returns false for rows of other kinds: two bounds, discs, several normals or frictions a contact.
+template <Scalar Real>
+bool find_interior_members(const ScaledRows<Real>& rows, List<InteriorMember<Real>>& members);
+
+}  // namespace cairn
