@@ -13,13 +13,13 @@ using namespace cairn::testing;
 
 namespace {
 
-const double speed_of_a_step = 10 * 0.02;  // [m/s] what a body gains in a step
+const double fall_of_a_step = 10 * 0.02;  // [m/s] what a body gains in a step
 
 /// A box of 1 kg on one foot below its middle, with friction that is written before it or after it.
 VelocityProblem<double> box_on_a_foot(double speed, bool friction_first) {
   VelocityProblem<double> problem;
   problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 0)};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(speed, -speed_of_a_step, 0)};
+  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(speed, -fall_of_a_step, 0)};
   const int normal = friction_first ? 1 : 0;
   problem.rows.resize(2);
   problem.rows[normal] = {.b = {1}, .jacobian_b = {0, 1, 0}, .bounds = Bounds<double>::unilateral()};
@@ -62,9 +62,9 @@ TEST_CASE("a centre knows the velocities and the error of its impulses, inside t
   CHECK(impulse[1] == doctest::Approx(0.1));
   const Vec3<double> velocity = rows.velocity_of({1}, problem.velocity[{1}], center.u());
   CHECK(velocity.x() == doctest::Approx(3 - 0.05));
-  CHECK(velocity.y() == doctest::Approx(0.1 - speed_of_a_step));
+  CHECK(velocity.y() == doctest::Approx(0.1 - fall_of_a_step));
   // The foot lacks what the velocity says; friction is at its limit, and slides as it should.
-  CHECK(center.error() == doctest::Approx(speed_of_a_step - 0.1));
+  CHECK(center.error() == doctest::Approx(fall_of_a_step - 0.1));
 }
 
 TEST_CASE(
@@ -93,7 +93,7 @@ TEST_CASE(
       PerRow<double> impulse;
       rows.copy_impulses(map.x(), impulse);
       // p + softness p = what is asked for, with friction up to half of the foot's impulse.
-      const double foot = speed_of_a_step / (1 + softness);
+      const double foot = fall_of_a_step / (1 + softness);
       const double friction = std::min(speed / (1 + softness), 0.5 * foot);
       CHECK(impulse[friction_first ? 1 : 0] == doctest::Approx(foot).epsilon(1e-11));
       CHECK(impulse[friction_first ? 0 : 1] == doctest::Approx(-friction).epsilon(1e-11));
@@ -105,7 +105,7 @@ TEST_CASE("beyond a proximal step lies the pull of a straight rope, which hardly
   const double slope = 1e-3;  // of both halves of a rope with 1 kg in its middle
   VelocityProblem<double> problem;
   problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 0)};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(0, -speed_of_a_step, 0)};
+  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(0, -fall_of_a_step, 0)};
   for (const double side : {-1, 1}) problem.rows.push_back({.b = {1}, .jacobian_b = {side, slope, 0}});
   problem.impulse.assign(2, 0);
   ScaledRows<double> rows;
@@ -129,7 +129,7 @@ TEST_CASE("beyond a proximal step lies the pull of a straight rope, which hardly
   PerRow<double> impulses;
   rows.copy_impulses(center.x(), impulses);
   const auto is_held = [&](int i) { return map.is_held(i); };
-  const double pull = speed_of_a_step / (2 * slope);
+  const double pull = fall_of_a_step / (2 * slope);
   CHECK(impulses[0] < pull / 100);
   center.go_on(rows, is_held);
   rows.copy_impulses(center.x(), impulses);
