@@ -51,7 +51,8 @@ bool find_interior_members(const ScaledRows<Real>& rows, List<InteriorMember<Rea
     member->sides = 2;
     member->ratio = row.bounds.friction * rows.rows()[member->row].unit / row.unit;
   }
-  return fits;
+  const auto has_bound = [](const InteriorMember<Real>& member) { return member.sides > 0; };
+  return fits && std::any_of(members.begin(), members.end(), has_bound);
 }
 
 template bool find_interior_members(const ScaledRows<double>&, List<InteriorMember<double>>&);

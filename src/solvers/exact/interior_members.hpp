@@ -32,7 +32,8 @@ struct InteriorMember {
 };
 
 /// One for each row that can do anything and is no friction, in the order of rows.
-/// @returns false for rows of other kinds: two bounds, discs, several normals or frictions a contact.
+/// @returns false for rows of other kinds: two bounds, discs, several normals or frictions a contact; and
+/// where no row has a bound, so that there is nothing to be inside of.
 template <Scalar Real>
 bool find_interior_members(const ScaledRows<Real>& rows, List<InteriorMember<Real>>& members);
 

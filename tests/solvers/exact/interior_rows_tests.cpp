@@ -70,23 +70,29 @@ TEST_CASE(
   for (const double part : impulses_after(box_on_feet(1, -weight), 60)) CHECK(std::abs(part) <= 1e-9);
 }
 
-TEST_CASE("equalities and upper bounds have a way through the interior, rows with two bounds have none") {
+TEST_CASE("equalities go through the interior beside rows with bounds") {
+  VelocityProblem<double> problem = box_on_feet(0.5, weight);
+  problem.rows[1].bounds = problem.rows[3].bounds = Bounds<double>::equality();  // feet that never slide
+  const PerRow<double> impulse = impulses_after(problem, 60);
+  CHECK(impulse[0] + impulse[2] == doctest::Approx(weight).epsilon(1e-7));
+  CHECK(impulse[1] + impulse[3] == doctest::Approx(-0.5).epsilon(1e-7));
+}
+
+TEST_CASE("upper bounds have a way through the interior; rows with two bounds, or all without, have none") {
   VelocityProblem<double> problem = box_on_feet(0, weight);
   problem.rows.resize(1);
   problem.blocks = {{0, 1}};
   problem.impulse.assign(1, 0);
   problem.rows[0].jacobian_b = {0, 1, 0};
-  problem.rows[0].bounds = Bounds<double>::equality();
-  CHECK(impulses_after(problem, 20)[0] == doctest::Approx(weight).epsilon(1e-7));
   problem.rows[0].bounds = {.upper = 0.1 * weight};
   CHECK(impulses_after(problem, 60)[0] == doctest::Approx(0.1 * weight).epsilon(1e-7));
-  problem.rows[0].bounds = Bounds<double>::at_most(0.1 * weight);
-  ScaledRows<double> rows;
-  rows.begin(problem);
-  ProximalCenter<double> center;
-  center.go_to(rows, problem.impulse);
-  InteriorRows<double> interior;
-  CHECK_FALSE(interior.begin(rows, center, 1e-3));
+  for (const Bounds<double>& bounds : {Bounds<double>::at_most(0.1 * weight), Bounds<double>::equality()}) {
+    problem.rows[0].bounds = bounds;
+    ScaledRows<double> rows;
+    rows.begin(problem);
+    List<InteriorMember<double>> members;
+    CHECK_FALSE(find_interior_members(rows, members));
+  }
 }
 
 TEST_CASE("a contact goes through the interior with its friction, wherever both stand among the rows") {
