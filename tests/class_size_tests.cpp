@@ -32,8 +32,6 @@ const std::map<std::string, std::pair<int, int>> larger_classes = {
     // Reads keys of every type.
     {"SceneTable", {15, 4}},
     // To be taken apart.
-    {"InteriorRows", {14, 6}},
-    {"ProximalRows", {30, 17}},
     {"Scene", {20, 7}},
     {"SceneBuilder", {18, 9}},
 };

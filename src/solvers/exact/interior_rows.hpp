@@ -1,11 +1,14 @@
 // Floor 4. Rows on the way through the interior of their bounds: the interior point method.
 #pragma once
 
-#include "solvers/exact/proximal_rows.hpp"
+#include <algorithm>
+
+#include "solvers/exact/interior_members.hpp"
+#include "solvers/exact/proximal_center.hpp"
 
 namespace cairn {
 
-/// The rows of ProximalRows as pairs of numbers that are never negative, an impulse p and a speed z, with
+/// The rows of ScaledRows as pairs of numbers that are never negative, an impulse p and a speed z, with
 ///   p z = mu   for all of them, on the central path,
 /// and mu on its way to 0 (S. Mehrotra, On the implementation of a primal-dual interior point method, 1992).
 /// A row with one bound has one such pair. A contact with friction has two: its impulse is a sum of the two
@@ -14,30 +17,34 @@ namespace cairn {
 /// without bounds have no z.
 ///
 /// Which rows are at their bounds need not be guessed: where many change at once, 15 to 30 systems lead to
-/// the answer, however many they are. Numbers are in sqrt(J), as in ProximalRows.
+/// the answer, however many they are. Numbers are in sqrt(J), as there.
 class InteriorRows {
  public:
-  /// Begins from the centre of `rows`, brought so far away from bounds [sqrt(J)]. `rows` must outlive it.
-  /// @returns false for rows of other kinds: two bounds, discs, several normals or frictions a contact.
-  bool begin(const ProximalRows<double>& rows, double distance);
+  /// Begins from a centre, brought so far away from bounds [sqrt(J)].
+  /// @returns false for rows that have no way through the interior, as find_interior_members().
+  bool begin(const ScaledRows<double>& rows, const ProximalCenter<double>& center, double distance);
 
   /// Holds no rows any more.
   void clear();
-  /// Finds what follows from the impulses and speeds of the moment.
-  void linearize();
-  /// Calls visit(left, right, factor) as ProximalRows does.
+  /// Finds what follows from the impulses and speeds of the moment. Beside R_E of a row nothing need be
+  /// sharp.
+  void linearize(const ScaledRows<double>& rows, double error_of_a_row);
+  /// Calls visit(left, right, factor) as ProximalMap does.
   template <typename Visit>
-  void for_each_slope(const Visit& visit) const;
+  void for_each_slope(const ScaledRows<double>& rows, const Visit& visit) const;
   /// Whether that is symmetric: no friction.
-  bool has_symmetric_slope() const { return !has_friction_; }
-  /// Of no proximal problem.
-  double softness() const { return 0; }
+  bool has_symmetric_slope(const ScaledRows<double>&) const {
+    return std::none_of(members_.begin(), members_.end(), [](const Member& one) { return one.sides == 2; });
+  }
 
-  /// The right-hand side of the system for p z = target, without second order or with what keep_products()
-  /// has kept.
-  void find_right_side(double target, Vector<double>& right) const;
-  /// The direction, from its solution.
-  void find_direction(double target, const Vector<double>& du);
+  /// The direction for p z = target, without second order or with what keep_products() has kept. solve()
+  /// solves the system of the slopes in place, in `du`.
+  template <typename Solve>
+  void find_direction(const ScaledRows<double>& rows, double target, Vector<double>& du, const Solve& solve) {
+    find_right_side(rows, target, du);
+    solve();
+    follow_velocity(rows, target, du);
+  }
   /// Keeps the products of changes.
   void keep_products();
   /// The largest share of the direction that leaves no number negative.
@@ -45,61 +52,39 @@ class InteriorRows {
   /// The mean of p z after that share of the direction.
   double mean_product(double share) const;
   /// Goes that share.
-  void go(double share);
-  /// The impulses of the moment [N s].
-  void copy_impulses_to(PerRow<double>& impulse) const;
+  void go(const ScaledRows<double>& rows, double share);
+  /// The impulses of the moment [sqrt(J)], of all rows.
+  const Vector<double>& x() const { return x_; }
   /// Bytes of all this.
   std::size_t memory() const;
 
  private:
-  /// One p with its z.
-  struct Side {
-    double impulse = 0;
-    double speed = 0;
-    double impulse_change = 0;
-    double speed_change = 0;
-    double error = 0;    // of the speed, beside what the velocities say
-    double product = 0;  // of changes
-  };
-  /// What a row gives, with its friction where it has some.
-  struct Member {
-    int row = 0;
-    int friction = -1;
-    int sides = 1;          // 0: without bounds
-    double direction = 1;   // -1: it has an upper bound
-    double bound = 0;       // or, without bounds, the impulse itself
-    double ratio = 0;       // m
-    double lift_slope = 0;  // d|w_t| / dw_t, smooth at 0
-    Side plus = {};
-    Side minus = {};
-    double plus_slope = 0, minus_slope = 0, mixed_slope = 0;  // -dp / dz, with each other
-  };
-  bool append(int i);
-  void pair_friction(int i, bool& fits);
-  void set_speeds(Member& member, double distance) const;
-  void linearize_cone(Member& member, double smoothing) const;
-  double speed_of(int i) const;
-  void find_velocity();
+  using Side = InteriorSide;
+  using Member = InteriorMember;
+
+  static void set_speeds(const ProximalCenter<double>& center, Member& member, double distance);
+  void linearize_cone(const ScaledRows<double>& rows, Member& member, double smoothing) const;
+  double speed_of(const ScaledRows<double>& rows, int i) const;
+  void find_velocity(const ScaledRows<double>& rows);
   void right_sides(const Member& member, double target, double& plus, double& minus) const;
+  void find_right_side(const ScaledRows<double>& rows, double target, Vector<double>& right) const;
+  void follow_velocity(const ScaledRows<double>& rows, double target, const Vector<double>& du);
   template <typename Visit>
   void for_each_side(const Visit& visit) const;
 
-  const ProximalRows<double>* rows_ = nullptr;
-  bool has_friction_ = false;
   List<Member> members_;
-  List<int> member_of_;  // of each row that is no friction
-  Vector<double> x_;     // impulses of rows
-  Vector<double> u_;     // G^T x
+  Vector<double> x_;  // impulses of rows
+  Vector<double> u_;  // G^T x
 };
 
 template <typename Visit>
-void InteriorRows::for_each_slope(const Visit& visit) const {
+void InteriorRows::for_each_slope(const ScaledRows<double>& rows, const Visit& visit) const {
   for (const Member& member : members_) {
-    const auto normal = rows_->terms_of(rows_->row(member.row));
+    const auto normal = rows.terms_of(rows.rows()[member.row]);
     const double a = member.plus_slope, b = member.mixed_slope, c = member.minus_slope;
     visit(normal, normal, a + 2 * b + c);
     if (member.friction < 0) continue;
-    const auto tangent = rows_->terms_of(rows_->row(member.friction));
+    const auto tangent = rows.terms_of(rows.rows()[member.friction]);
     const double m = member.ratio, plus = member.lift_slope + 1, minus = member.lift_slope - 1;
     visit(normal, tangent, m * ((a + b) * plus + (b + c) * minus));
     visit(tangent, normal, m * (a - c));

@@ -9,7 +9,7 @@
 #include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
 #include "solvers/exact/contact_modes.hpp"
 #include "solvers/exact/exact_rows.hpp"
-#include "solvers/exact/proximal_rows.hpp"
+#include "solvers/exact/newton_steps.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
@@ -64,13 +64,13 @@ class NewtonIteration {
   }
 
   void restart_at(const PerRow<long double>& impulse) {
-    rows_.center_at(impulse);
+    center_.go_to(rows_, impulse);
     note_center(impulse);
   }
 
   /// Keeps the centre's impulses if none have been better.
   void note_center(const PerRow<long double>& impulse) {
-    const long double error = rows_.error();
+    const long double error = center_.error();
     residual_ = error == 0 ? 0 : error / scale_;
     if (!has_best_ || residual_ < result_.residual) {
       result_.residual = residual_;
@@ -85,11 +85,11 @@ class NewtonIteration {
     int failures = 0, idle = 0;
     while (residual_ > settings_.tolerance && !is_used_up() && idle < idle_steps) {
       const long double least = result_.residual;
-      rows_.soften(softness);
+      map_.soften(softness);
       if (solve_softened()) {
-        rows_.center_at_last();
+        center_.go_to(rows_, map_.x(), map_.response());
         PerRow<long double> impulses;
-        rows_.copy_impulses_to(impulses);
+        rows_.copy_impulses(map_.x(), impulses);
         note_center(impulses);
         softness = std::max(softness / factor, least_softness);
         factor = std::min(factor * 1.5L, largest_factor);
@@ -105,18 +105,14 @@ class NewtonIteration {
 
   /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
   bool solve_softened() {
-    const long double enough = share_of_error * residual_ * scale_;
-    Vector<long double> du = Vector<long double>::Zero(rows_.freedoms());
-    long double error = rows_.evaluate(du).norm();
-    for (int step = 0; step < steps_of_newton && error > enough; ++step) {
+    return steps_.solve(at_, share_of_error * residual_ * scale_, steps_of_newton, [this] {
       if (is_used_up() || !factorize()) return false;
       ++result_.iterations;
-      const Vector<double> value = rows_.value().cast<double>();
+      const Vector<double> value = map_.value().cast<double>();
       const Vector<double> solved = factors_.solve(value);
       const Vector<long double> change = solved.cast<long double>();
-      if (!change.allFinite() || !shorten(change, du, error)) return false;
-    }
-    return error <= enough;
+      return change.allFinite() && steps_.shorten(at_, change, 1.0L / 2048);
+    });
   }
 
   bool factorize() {
@@ -124,7 +120,7 @@ class NewtonIteration {
     entries_.clear();
     const int freedoms = static_cast<int>(rows_.freedoms());
     for (int k = 0; k < freedoms; ++k) entries_.emplace_back(k, k, 1);
-    rows_.for_each_slope([this](const auto& left, const auto& right, long double factor) {
+    map_.for_each_slope(rows_, [this](const auto& left, const auto& right, long double factor) {
       for (const auto& l : left) {
         for (int row = 0; row < 3; ++row) {
           for (const auto& r : right) {
@@ -143,24 +139,14 @@ class NewtonIteration {
     return factors_.info() == Eigen::Success;
   }
 
-  /// Goes a share of the step that makes the error fall: the largest of 1, 1/2, 1/4 ...; false: there is
-  /// none.
-  bool shorten(const Vector<long double>& change, Vector<long double>& du, long double& error) {
-    for (long double share = 1; share >= 1.0L / 2048; share /= 2) {
-      const Vector<long double> next = du - share * change;
-      const long double left = rows_.evaluate(next).norm();
-      if (!(left < (1 - share / 10000) * error)) continue;
-      du = next;
-      error = left;
-      return true;
-    }
-    return false;
-  }
-
   VelocityProblem<long double>& problem_;
   NewtonSettings settings_;
   long double scale_ = 0;
-  ProximalRows<long double> rows_;
+  ScaledRows<long double> rows_;
+  ProximalCenter<long double> center_;
+  ProximalMap<long double> map_;
+  NewtonSteps<long double> steps_;
+  const NewtonSteps<long double>::Place at_{rows_, center_, map_};
   long double residual_ = 0;  // R_E at the centre
   PerRow<long double> best_;
   bool has_best_ = false;

@@ -22,7 +22,7 @@ struct NewtonResult {
 };
 
 /// Rows that depend on each other make A singular, so they are not solved as they stand, but a little softer
-/// around the impulses of the moment (proximal_rows.hpp); then around the impulses so found, and so on: the
+/// around the impulses of the moment (proximal_map.hpp); then around the impulses so found, and so on: the
 /// proximal point method (R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point
 /// algorithm in convex programming, 1976). What softness changes goes to 0 with the change of impulses. It
 /// starts at a hundredth of A_ii, becomes ten times less with every success, and more after a failure, whose

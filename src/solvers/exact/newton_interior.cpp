@@ -21,12 +21,12 @@ template <Scalar Real>
 void NewtonSolver<Real>::follow_interior() {
   double factor = 1;
   for (int attempt = 0; attempt < most_attempts; ++attempt, factor *= 10) {
-    rows_.center_at(best_);
+    center_.go_to(rows_, best_);
     note_center();
-    const double distance = first_distance * factor * rows_.error_of_a_row();
-    if (!interior_.begin(rows_, distance)) return;
-    double share = 1;
-    for (int step = 0; step < steps_of_one_attempt && share > least_share; ++step) {
+    const Work distance = Work(first_distance * factor) * center_.error_of_a_row();
+    if (!interior_.begin(rows_, center_, distance)) return;
+    Work share = 1;
+    for (int step = 0; step < steps_of_one_attempt && share > Work(least_share); ++step) {
       if (least_residual_ <= enough() || systems_ >= settings_.iterations) break;
       share = take_interior_step();
     }
@@ -36,27 +36,25 @@ void NewtonSolver<Real>::follow_interior() {
 
 /// As Mehrotra does: a step for 0 shows how far the products may be asked to fall, and their second order.
 template <Scalar Real>
-double NewtonSolver<Real>::take_interior_step() {
+typename NewtonSolver<Real>::Work NewtonSolver<Real>::take_interior_step() {
   Deadline::go_on();
-  interior_.linearize();
+  interior_.linearize(rows_, center_.error_of_a_row());
   ++systems_;
-  factors_.factorize(rows_, interior_);
-  const auto aim = [this](double target) {
-    interior_.find_right_side(target, change_);
-    factors_.solve(change_);
-    interior_.find_direction(target, change_);
+  factors_.factorize(rows_, interior_, Work(0));
+  const auto aim = [this](Work target) {
+    interior_.find_direction(rows_, target, change_, [this] { factors_.solve(change_); });
   };
   aim(0);
-  const double product = interior_.mean_product(0);
-  const double left =
-      product > 0 ? interior_.mean_product(std::min(1.0, interior_.longest_step())) / product : 0;
+  const Work product = interior_.mean_product(0);
+  const Work left =
+      product > 0 ? interior_.mean_product(std::min(Work(1), interior_.longest_step())) / product : 0;
   interior_.keep_products();
   aim(left * left * left * product);
-  const double share = std::min(1.0, share_of_way * interior_.longest_step());
+  const Work share = std::min(Work(1), Work(share_of_way) * interior_.longest_step());
   if (!change_.allFinite()) return 0;
-  interior_.go(share);
-  interior_.copy_impulses_to(inside_);
-  rows_.center_at(inside_);
+  interior_.go(rows_, share);
+  rows_.copy_impulses(interior_.x(), inside_);
+  center_.go_to(rows_, inside_);
   note_center();
   return share;
 }

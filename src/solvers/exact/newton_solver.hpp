@@ -2,10 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <type_traits>
 
 #include "solvers/exact/interior_rows.hpp"
-#include "solvers/exact/proximal_rows.hpp"
+#include "solvers/exact/newton_steps.hpp"
 #include "solvers/exact/slope_factors.hpp"
 #include "solvers/solver.hpp"
 #include "math/list.hpp"
@@ -14,10 +13,12 @@ namespace cairn {
 
 /// Sees the rows, and solves all of them at once, by the proximal steps of newton.hpp: rows a little soft
 /// around the impulses of the moment, each such problem by Newton's method, one sparse linear system after
-/// the other. It differs from newton() in five things. It begins from the warm start, and at a softness from
-/// which a pile at rest needs one or two systems; only where that fails do sweeps of accelerated PGS lead on.
-/// From there it goes through the interior of all bounds (interior_rows.hpp), where they are of that kind:
-/// after an impact, or where friction slides at many points, steps of Newton's method stop at each kink.
+/// the other. It differs from newton() in five things. It begins from the warm start, at a softness from
+/// which what changes little needs one system at most. Where one is not the answer, rows change sides, and it
+/// goes through the interior of all bounds (interior_rows.hpp), where they are of that kind: after an impact,
+/// or where friction slides at many points, steps of Newton's method stop at each kink. That way ends far
+/// inside the bounds of all rows that need not be at theirs, so that what is left over moves no row across in
+/// the steps that follow. Only where it fails do sweeps of accelerated PGS lead on.
 /// It computes in double (for float too), on factors in blocks (block_factors.hpp). It keeps factors from
 /// solve to solve: an old system gives a step for a tenth of what a new one costs, and is asked first, for as
 /// long as each step leaves less than a third of the error (slope_factors.hpp). And it stops by the settings'
@@ -25,9 +26,11 @@ namespace cairn {
 ///
 /// A warm start within a hundredth of the tolerance is the answer. Where it has to solve at all, it goes on
 /// to that hundredth, if systems lead there without a failure: what is left over comes back in the next step,
-/// and an answer that is just good enough makes that one solve again. So a tolerance above 1e-6 is taken for
-/// 1e-6: what stops at 1e-3 takes four to ten times as long over a pile at rest. What no impulse of type Real
-/// comes nearer to is an answer too. SolveReport::converged means the tolerance itself, as it was asked for.
+/// and an answer that is just good enough makes that one solve again. A row that is softer by epsilon answers
+/// what is left of its speed by an impulse of 1 / epsilon times that, and where that is not small beside its
+/// own, it changes sides. So a tolerance above 1e-7 is taken for 1e-7, a tenth of the first epsilon. What no
+/// impulse of type Real comes nearer to is an answer too. SolveReport::converged means the tolerance itself,
+/// as it was asked for.
 ///
 /// Impulses that hardly move a body, such as the pull along a straight chain, change little in a proximal
 /// step, and alike in each. So where a step leaves most of R_E, it goes on along that step to the least error
@@ -38,8 +41,8 @@ namespace cairn {
 /// guaranteed. Where it has not converged it gives the impulses with the least R_E that it has seen, those of
 /// the warm start among them.
 ///
-/// A problem with the number of the one before has its rows, scaled already, and most often the impulses that
-/// it gave.
+/// A problem with the number of the one before has its rows, scaled already. Where the answer of before is
+/// one to the new problem as well, it stays, whatever the warm start.
 ///
 /// The factors that it has kept change the way to the answer: a solver that has solved other problems may
 /// differ from a new one within the tolerance, and by anything where neither has converged. The same sequence
@@ -62,47 +65,52 @@ class NewtonSolver final : public Solver<Real> {
   /// @throws std::length_error for more pairs of bodies than BlockFactors holds: before anything is changed.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   std::size_t memory() const override {
-    const Eigen::Index numbers = du_.size() + next_.size() + change_.size();
+    const Eigen::Index numbers = center_.numbers() + map_.numbers() + steps_.numbers() + change_.size();
     return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
-           static_cast<std::size_t>(numbers) * sizeof(double);
+           static_cast<std::size_t>(numbers) * sizeof(Work);
   }
 
  private:
-  void answer(const VelocityProblem<double>& problem, bool again);
+  /// What it computes in.
+  using Work = double;
+
+  void answer(const VelocityProblem<Work>& problem, bool again);
   SolveReport solve_unobserved(VelocityProblem<Real>& problem);
   void give_answer(VelocityProblem<Real>& problem);
-  void approach(const VelocityProblem<double>& problem);
-  void sweep(const VelocityProblem<double>& problem, int sweeps);
-  double tolerance() const { return std::min(settings_.tolerance, loosest_tolerance); }
-  double enough() const { return std::max(tolerance(), rounding()); }
-  double goal() const;
-  double rounding() const;
+  void approach(const VelocityProblem<Work>& problem);
+  void sweep(const VelocityProblem<Work>& problem, int sweeps);
+  Work tolerance() const { return static_cast<Work>(std::min(settings_.tolerance, loosest_tolerance)); }
+  Work enough() const { return std::max(tolerance(), rounding()); }
+  Work goal() const;
+  Work rounding() const;
   void go_on();
-  bool solve_softened();
-  bool take_kept_step(double& error);
-  bool take_new_step(double& error);
+  bool solve_softened(int most_systems);
+  bool take_kept_step();
+  bool take_new_step();
   void follow_interior();
-  double take_interior_step();
-  bool shorten(const Vector<double>& change, double& error);
+  Work take_interior_step();
+  typename NewtonSteps<Work>::Place at() { return {rows_, center_, map_}; }
   void note_center();
+  bool last_is_answer();
 
-  static constexpr double loosest_tolerance = 1e-6;
+  static constexpr double loosest_tolerance = 1e-7;
 
   SolverSettings settings_;
-  ProximalRows<double> rows_;
+  ScaledRows<Work> rows_;
+  ProximalCenter<Work> center_;
+  ProximalMap<Work> map_;
+  NewtonSteps<Work> steps_;
   InteriorRows interior_;
-  SlopeFactors factors_;   // of the last system, in this solve or in an earlier one
-  Vector<double> du_;      // where Newton's method is
-  Vector<double> next_;    // and where it may go
-  Vector<double> change_;  // its step
-  double residual_ = 0;    // R_E at the centre
-  double least_residual_ = 0;
-  PerRow<double> inside_;          // [N s] impulses on the way through the interior
-  VelocityProblem<double> swept_;  // a copy for sweeps
-  PerRow<double> best_;            // [N s] the impulses with that
-  std::uint64_t solved_ = 0;       // the number of the problem whose rows it has
-  int systems_ = 0;                // solved by factors of their own
-  int sweeps_ = 0;                 // done between them, or what takes as long
+  SlopeFactors factors_;  // of the last system, in this solve or in an earlier one
+  Vector<Work> change_;   // a step of Newton's method
+  Work residual_ = 0;     // R_E at the centre
+  Work least_residual_ = 0;
+  PerRow<Work> inside_;          // [N s] impulses on the way through the interior
+  VelocityProblem<Work> swept_;  // a copy for sweeps
+  PerRow<Work> best_;            // [N s] the impulses with that
+  std::uint64_t solved_ = 0;     // the number of the problem whose rows it has
+  int systems_ = 0;              // solved by factors of their own
+  int sweeps_ = 0;               // done between them, or what takes as long
 };
 
 }  // namespace cairn

@@ -9,8 +9,8 @@
 
 #include "../solver_list.hpp"
 #include "solvers/exact/exact_rows.hpp"
-#include "solvers/exact/proximal_rows.hpp"
 #include "solvers/residual.hpp"
+#include "world/world.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -151,16 +151,16 @@ TEST_CASE("a stack that is solved again rises as its lowest row asks, soft or no
   }
 }
 
-TEST_CASE("a tolerance that is looser than 1e-6 leaves no step more to do than 1e-6") {
+TEST_CASE("a tolerance that is looser than 1e-7 leaves no step more to do than 1e-7") {
   for (const double asked : {1e-3, 1e-1}) {
     VelocityProblem<double> loose = loaded_stack(50, 100), near = loose;
     const double scale = exact_scale(loose);
     NewtonSolver<double> solver({.iterations = 30, .tolerance = asked});
-    NewtonSolver<double> other({.iterations = 30, .tolerance = 1e-6});
+    NewtonSolver<double> other({.iterations = 30, .tolerance = 1e-7});
     solver.solve(loose);
     other.solve(near);
     CHECK(loose.impulse == near.impulse);
-    CHECK(residual(loose, scale).energy <= 1e-8);
+    CHECK(residual(loose, scale).energy <= 1e-9);
     // What was asked for is what is told of: without systems the start is 1 off.
     CHECK_FALSE(NewtonSolver<double>({.iterations = 0, .tolerance = asked})
                     .solve(loose = loaded_stack(50, 100))
@@ -175,17 +175,49 @@ TEST_CASE("a tolerance that is looser than 1e-6 leaves no step more to do than 1
 TEST_CASE("Newton's method goes on to a hundredth of the tolerance, where it has to solve at all") {
   VelocityProblem<double> solved = loaded_stack(50, 100);
   const VelocityProblem<double> start = solved;
-  NewtonSolver<double>({.iterations = 30, .tolerance = 1e-6}).solve(solved);
+  NewtonSolver<double>({.iterations = 30, .tolerance = 1e-7}).solve(solved);
   const double scale = exact_scale(start);
-  CHECK(residual(solved, scale).energy <= 1e-8);
+  CHECK(residual(solved, scale).energy <= 1e-9);
   // Good enough for the tolerance, but not for a hundredth of it: solved. For that hundredth: left alone.
   for (const double off : {0.5e-6, 0.5e-8}) {
     VelocityProblem<double> near = start;
     near.impulse = solved.impulse;
     near.impulse[0] += off * scale / std::sqrt(inverse_effective_mass(start, start.rows[0]));
     const double before = near.impulse[0];
-    CHECK(NewtonSolver<double>({.iterations = 30, .tolerance = 1e-6}).solve(near).converged);
-    CHECK((near.impulse[0] == doctest::Approx(before).epsilon(4e-16)) == (off < 1e-8));
+    CHECK(NewtonSolver<double>({.iterations = 30, .tolerance = 1e-7}).solve(near).converged);
+    CHECK((near.impulse[0] == doctest::Approx(before).epsilon(4e-16)) == (off < 1e-9));
+  }
+}
+
+TEST_CASE("what is solved again keeps its answer where that answers it too, from whatever warm start") {
+  const VelocityProblem<double> start = loaded_stack(20, 100);
+  VelocityProblem<double> problem = start;
+  NewtonSolver<double> solver({.iterations = 30, .tolerance = 1e-9});
+  solver.solve(problem);
+  const PerRow<double> answer = problem.impulse;
+  problem.velocity = start.velocity;
+  problem.impulse = start.impulse;
+  const SolveReport again = solver.solve(problem);
+  CHECK(again.converged);
+  CHECK(again.iterations == 0);
+  CHECK(again.extra_sweeps == 3);  // to look
+  CHECK(problem.impulse == answer);
+}
+
+TEST_CASE("a pile at rest is solved once: no contact changes sides by what is left over") {
+  for (const int base : {2, 5, 10, 15}) {
+    CAPTURE(base);
+    Scene scene;
+    scene.add_ground();
+    for (int row = 0; row < base; ++row) {
+      for (int i = 0; i < base - row; ++i) {
+        scene.add({.shapes = {box(1, 1)}, .position = {i - 0.5 * (base - row - 1), 0.5 + row}});
+      }
+    }
+    World<double> world(scene);
+    NewtonSolver<double> solver({.iterations = 50, .tolerance = 1e-6});
+    CHECK(world.step(solver).solve.converged);
+    for (int step = 1; step < 100; ++step) CHECK(world.step(solver).solve.iterations == 0);
   }
 }
 
@@ -213,7 +245,7 @@ TEST_CASE("no number in, no number out: Newton's method comes back from a proble
 }
 
 TEST_CASE_TEMPLATE("Newton's method gives the same bits for the same sequence of problems, in every scalar",
-                   Real, float, double) {
+                   Real, float, double, long double) {
   const VelocityProblem<Real> start = hand_made_stack<Real>(30, 10, Real(0.02));
   NewtonSolver<Real> one({.iterations = 20}), other({.iterations = 20});
   CHECK(one.memory() == 0);
@@ -226,14 +258,6 @@ TEST_CASE_TEMPLATE("Newton's method gives the same bits for the same sequence of
     CHECK(static_cast<double>(first.impulse[0]) == doctest::Approx(30 * speed_of_a_step).epsilon(4e-7));
   }
   CHECK(one.memory() > 0);
-}
-
-TEST_CASE("rows in sqrt(J) measure R_E by the scale of exact problems") {
-  for (const VelocityProblem<double>& problem : {loaded_stack(7, 100), pushed_box(3), pushed_box(0)}) {
-    ProximalRows<double> rows;
-    rows.begin(problem);
-    CHECK(rows.scale() == doctest::Approx(exact_scale(problem)).epsilon(1e-14));
-  }
 }
 
 TEST_CASE("without systems Newton's method applies the warm start, inside its bounds") {
@@ -253,41 +277,4 @@ TEST_CASE("where all rests and no row asks for anything, Newton's method drops t
   NewtonSolver<double>({.iterations = 20}).solve(problem);
   for (const double impulse : problem.impulse) CHECK(impulse == 0);
   for (const Vec3<double>& v : problem.velocity) CHECK(v.isZero(0));
-}
-
-TEST_CASE("beyond a proximal step lies the pull of a straight rope, which hardly moves what hangs in it") {
-  const double slope = 1e-3;  // of both halves of a rope with 1 kg in its middle
-  VelocityProblem<double> problem;
-  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 0)};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(0, -speed_of_a_step, 0)};
-  for (const double side : {-1, 1}) problem.rows.push_back({.b = {1}, .jacobian_b = {side, slope, 0}});
-  problem.impulse.assign(2, 0);
-  ProximalRows<double> rows;
-  rows.begin(problem);
-  rows.center_at(problem.impulse);
-  rows.soften(1e-3);  // both rows together have 2 slope^2, 500 times less
-  Vector<double> du = Vector<double>::Zero(rows.freedoms());
-  for (int step = 0; step < 2; ++step) {
-    SlopeFactors factors;
-    factors.begin();
-    rows.evaluate(du);
-    factors.factorize(rows, rows);
-    Vector<double> change = rows.value();
-    factors.solve(change);
-    du -= change;
-  }
-  rows.evaluate(du);
-  rows.center_at_last();
-  PerRow<double> impulses;
-  rows.copy_center_to(impulses);
-  const double pull = speed_of_a_step / (2 * slope);
-  CHECK(impulses[0] < pull / 100);
-  rows.go_on();
-  rows.copy_center_to(impulses);
-  // Roundings of w', beside 2 slope^2 of it.
-  for (const double impulse : impulses) CHECK(impulse == doctest::Approx(pull).epsilon(1e-9));
-  // Nothing has led there now, so there is no way to go on.
-  rows.center_at(problem.impulse);
-  rows.go_on();
-  CHECK(rows.center(0) == 0);
 }
