@@ -81,6 +81,16 @@ TEST_CASE("flags take words with blanks, hyphens or underscores") {
   }
 }
 
+TEST_CASE("a run in any number type but float and double is refused in one line, with both") {
+  for (const char* verb : {"run", "compare"}) {
+    const Ran refused = run_cairn({verb, "stack", "--scalar", "long-double"});
+    CHECK(refused.code == 2);
+    CHECK(refused.out.empty());
+    CHECK(refused.err ==
+          std::string("cairn ") + verb + ": --scalar must be float or double, got long-double\n");
+  }
+}
+
 TEST_CASE("a joint has the name that its scene file gives it") {
   const ScratchFolder scratch;
   scratch.write("rod.toml",

@@ -217,8 +217,17 @@ TEST_CASE("a scene file takes its words with blanks, hyphens or underscores, and
           "wide-accelerated x10, 60 Hz x4, contacts when moved, split impulse, double");
     CHECK(entry.make().settings().friction_rows == FrictionRows::per_manifold);
   }
-  CHECK_THROWS_WITH_AS(read_scene_text("[recommended]\nsolver = \"wideaccelerated\"\n", "words.toml"), "?",
+  CHECK_THROWS_WITH_AS(read_scene_text("[recommended]\nsolver = \"wideaccelerated\"\n", "words.toml"),
+                       "words.toml:2:10: recommended.solver must be the name of a solver "
+                       "(wide-accelerated?), got \"wideaccelerated\"",
                        std::invalid_argument);
+}
+
+TEST_CASE("a world of any number type but float and double is refused, with both") {
+  CHECK_THROWS_WITH_AS(
+      read_scene_text("[recommended]\nscalar = \"long double\"\n", "words.toml"),
+      "words.toml:2:10: recommended.scalar must be one of float, double, got \"long double\"",
+      std::invalid_argument);
 }
 
 TEST_CASE("every field of what is recommended arrives") {
