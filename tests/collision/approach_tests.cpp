@@ -98,3 +98,16 @@ TEST_CASE("shapes that touch or overlap are near now") {
     CHECK(met.separation < 0);
   }
 }
+
+TEST_CASE("along a direction two shapes are apart by the way between them less how far both reach") {
+  const double half = std::sqrt(0.5);  // of a box of 1 m the corner, on its diagonal
+  const Shape<double> square = box(1, 1), disc = circle(0.5);
+  const Frame<double> here, there = Pose<double>{{3, 0}, pi / 4};
+  CHECK(gap_along<double>({1, 0}, square, here, square, there) == doctest::Approx(3 - 0.5 - half));
+  CHECK(gap_along<double>({0, 1}, square, here, square, there) == doctest::Approx(-0.5 - half));
+  CHECK(gap_along<double>({half, half}, square, here, square, there) ==
+        doctest::Approx(half * 3 - half - 0.5));
+  CHECK(gap_along<double>({half, half}, disc, here, disc, there) == doctest::Approx(half * 3 - 1));
+  CHECK(gap_along<double>({1, 0}, capsule({0, -1}, {0, 1}, 0.1), here, segment({0, -1}, {0, 1}), there) ==
+        doctest::Approx(3 - 0.1 - half));
+}
