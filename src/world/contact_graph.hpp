@@ -150,15 +150,15 @@ class ContactGraph {
   /// All pairs that are near, in order.
   const List<NearPair>& order() const { return order_; }
   /// The contact of that number.
-  CachedContact<Real>& operator[](int number) { return contacts_[cached]; }
+  CachedContact<Real>& operator[](int number) { return contacts_[number]; }
   /// The contact of that number.
-  const CachedContact<Real>& operator[](int number) const { return contacts_[cached]; }
+  const CachedContact<Real>& operator[](int number) const { return contacts_[number]; }
   /// Whether contacts have them.
   bool keeps_manifolds() const { return keeps_manifolds_; }
   /// That of a contact, if contacts have them.
-  CachedManifold<Real>& manifold(int number) { return manifolds_[cached]; }
+  CachedManifold<Real>& manifold(int number) { return manifolds_[number]; }
   /// That of a contact, if contacts have them.
-  const CachedManifold<Real>& manifold(int number) const { return manifolds_[cached]; }
+  const CachedManifold<Real>& manifold(int number) const { return manifolds_[number]; }
 
  private:
   static constexpr int few_added = 256;  // as many fit into the nearest memory in any order

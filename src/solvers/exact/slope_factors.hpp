@@ -36,7 +36,7 @@ class SlopeFactors {
  private:
   void find_pairs(const ScaledRows<double>& rows);
 
-  BlockFactors<double> factors_;
+  BlockFactors factors_;
   double softness_ = 0;
   List<std::pair<int, int>> pairs_;  // of bodies that share a row
   bool has_pairs_ = false;           // of the rows as they are
