@@ -9,7 +9,6 @@ namespace cairn {
 namespace {
 
 /// Of a row that is no friction; false: it has two bounds.
-template <typename double>
 bool describe(const Bounds<double>& bounds, InteriorMember& member) {
   const bool has_lower = std::isfinite(bounds.lower), has_upper = std::isfinite(bounds.upper);
   if (has_lower) member.bound = bounds.lower;
@@ -20,7 +19,6 @@ bool describe(const Bounds<double>& bounds, InteriorMember& member) {
 }
 
 /// The member of row `normal`, if there is one: members are in the order of rows.
-template <typename double>
 InteriorMember* member_of(int normal, List<InteriorMember>& members) {
   const auto is_before = [](const InteriorMember& member, int row) { return member.row < row; };
   const auto found = std::lower_bound(members.begin(), members.end(), normal, is_before);
