@@ -24,7 +24,7 @@ const List<std::string>& hashed_scenes() {
 }
 
 const List<std::string>& hashed_solvers() {
-  static const List<std::string> names = {"si", "pgs", "block-contact", "accelerated"};
+  static const List<std::string> names = {"si", "pgs", "block-contact", "accelerated", "wide", "newton"};
   return names;
 }
 
