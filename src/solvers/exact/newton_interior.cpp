@@ -21,36 +21,36 @@ template <Scalar Real>
 void NewtonSolver<Real>::follow_interior() {
   double factor = 1;
   for (int attempt = 0; attempt < most_attempts; ++attempt, factor *= 10) {
-    center_.go_to(rows_, best_);
+    center_.go_to(rows_, best_.impulse);
     note_center();
-    const Work distance = Work(first_distance * factor) * center_.error_of_a_row();
+    const double distance = first_distance * factor * center_.error_of_a_row();
     if (!interior_.begin(rows_, center_, distance)) return;
-    Work share = 1;
-    for (int step = 0; step < steps_of_one_attempt && share > Work(least_share); ++step) {
-      if (least_residual_ <= enough() || systems_ >= settings_.iterations) break;
+    double share = 1;
+    for (int step = 0; step < steps_of_one_attempt && share > least_share; ++step) {
+      if (best_.residual <= enough() || systems_ >= settings_.iterations) break;
       share = take_interior_step();
     }
-    if (least_residual_ <= enough()) return;
+    if (best_.residual <= enough()) return;
   }
 }
 
 /// As Mehrotra does: a step for 0 shows how far the products may be asked to fall, and their second order.
 template <Scalar Real>
-typename NewtonSolver<Real>::Work NewtonSolver<Real>::take_interior_step() {
+double NewtonSolver<Real>::take_interior_step() {
   Deadline::go_on();
   interior_.linearize(rows_, center_.error_of_a_row());
   ++systems_;
-  factors_.factorize(rows_, interior_, Work(0));
-  const auto aim = [this](Work target) {
+  factors_.factorize(rows_, interior_, 0.0);
+  const auto aim = [this](double target) {
     interior_.find_direction(rows_, target, change_, [this] { factors_.solve(change_); });
   };
   aim(0);
-  const Work product = interior_.mean_product(0);
-  const Work left =
-      product > 0 ? interior_.mean_product(std::min(Work(1), interior_.longest_step())) / product : 0;
+  const double product = interior_.mean_product(0);
+  const double left =
+      product > 0 ? interior_.mean_product(std::min(1.0, interior_.longest_step())) / product : 0;
   interior_.keep_products();
   aim(left * left * left * product);
-  const Work share = std::min(Work(1), Work(share_of_way) * interior_.longest_step());
+  const double share = std::min(1.0, share_of_way * interior_.longest_step());
   if (!change_.allFinite()) return 0;
   interior_.go(rows_, share);
   rows_.copy_impulses(interior_.x(), inside_);

@@ -23,8 +23,8 @@ constexpr int steps_of_one_problem = 10;
 constexpr int first_sweeps = 30;
 constexpr int failures_before_sweeps = 4;
 constexpr int most_failures = 20;
-constexpr int roundings_of_residual = 4;   // of R_E: there is nothing below,
-constexpr int roundings_of_impulses = 16;  // nor below so many of all impulses, beside the scale of R_E
+constexpr double roundings_of_residual = 4;  // of R_E: there is nothing below,
+constexpr int roundings_of_impulses = 16;    // nor below so many of all impulses, beside the scale of R_E
 constexpr double goal_of_tolerance = 0.01;
 // Of R_E in a step that was solved: where it falls less, the next is stiffer;
 constexpr double good_progress = 0.1;
@@ -38,10 +38,10 @@ constexpr int sweeps_of_a_look = 3;
 constexpr int sweeps_of_a_kept_step = 2;
 
 /// R_E that numbers of this type leave, in each impulse so many roundings of it.
-template <typename Number, typename Work>
-Work rounding_in(Work scale, Work size_of_impulses, int roundings) {
-  const Work impulses = scale > 0 ? size_of_impulses / scale : Work(0);
-  return std::numeric_limits<Number>::epsilon() * std::max(Work(roundings_of_residual), roundings * impulses);
+template <typename Number>
+double rounding_in(double scale, double size_of_impulses, int roundings) {
+  const double impulses = scale > 0 ? size_of_impulses / scale : 0.0;
+  return std::numeric_limits<Number>::epsilon() * std::max(roundings_of_residual, roundings * impulses);
 }
 
 }  // namespace
@@ -63,45 +63,45 @@ template <Scalar Real>
 SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem) {
   const bool again = problem.number.value() != 0 && problem.number.value() == solved_;
   solved_ = 0;  // until it is done
-  if constexpr (std::is_same_v<Real, Work>) {
+  if constexpr (std::is_same_v<Real, double>) {
     answer(problem, again);
   } else {
-    answer(converted<Work>(problem), again);
+    answer(converted<double>(problem), again);
   }
   give_answer(problem);
   solved_ = problem.number.value();
   SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
-  const Work asked = static_cast<Work>(settings_.tolerance);
+  const double asked = settings_.tolerance;
   report.converged =
-      least_residual_ <= std::max({asked, rounding(), rounding_in<Real>(rows_.scale(), center_.size(), 1)});
+      best_.residual <= std::max({asked, rounding(), rounding_in<Real>(rows_.scale(), center_.size(), 1)});
   if (report.converged) report.stop = Stop::tolerance;
-  report.residual = static_cast<double>(least_residual_);
+  report.residual = best_.residual;
   return report;
 }
 
 template <Scalar Real>
 void NewtonSolver<Real>::give_answer(VelocityProblem<Real>& problem) {
-  for (int i = 0; i < problem.row_count(); ++i) problem.impulse[i] = static_cast<Real>(best_[i]);
-  if (!std::isfinite(least_residual_)) return apply_impulses(problem);
-  if (residual_ != least_residual_) center_.go_to(rows_, best_);
+  for (int i = 0; i < problem.row_count(); ++i) problem.impulse[i] = static_cast<Real>(best_.impulse[i]);
+  if (!std::isfinite(best_.residual)) return apply_impulses(problem);
+  if (residual_ != best_.residual) center_.go_to(rows_, best_.impulse);
   for (const BodyId body : problem.velocity.indices()) {
-    const Vec3<Work> before = problem.velocity[body].template cast<Work>();
+    const Vec3<double> before = problem.velocity[body].template cast<double>();
     problem.velocity[body] = rows_.velocity_of(body, before, center_.u()).template cast<Real>();
   }
 }
 
 template <Scalar Real>
-typename NewtonSolver<Real>::Work NewtonSolver<Real>::goal() const {
-  return std::max(Work(goal_of_tolerance) * tolerance(), rounding());
+double NewtonSolver<Real>::goal() const {
+  return std::max(goal_of_tolerance * tolerance(), rounding());
 }
 
 template <Scalar Real>
-typename NewtonSolver<Real>::Work NewtonSolver<Real>::rounding() const {
-  return rounding_in<Work>(rows_.scale(), center_.size(), roundings_of_impulses);
+double NewtonSolver<Real>::rounding() const {
+  return rounding_in<double>(rows_.scale(), center_.size(), roundings_of_impulses);
 }
 
 template <Scalar Real>
-void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again) {
+void NewtonSolver<Real>::answer(const VelocityProblem<double>& problem, bool again) {
   const bool keeps_rows = again && rows_.begin_again(problem);
   if (!keeps_rows) {
     rows_.begin(problem);
@@ -112,15 +112,15 @@ void NewtonSolver<Real>::answer(const VelocityProblem<Work>& problem, bool again
   systems_ = 0;
   sweeps_ = sweeps_of_a_look;
   if (keeps_rows && last_is_answer()) return;
-  best_ = problem.impulse;
+  best_.impulse = problem.impulse;
   // Where nothing moves and no row asks for anything, no impulses are the answer, and R_E has no scale.
   const bool rests = settings_.iterations > 0 && rows_.scale() == 0;
-  if (rests) best_.assign(best_.size(), Work(0));
-  center_.go_to(rows_, best_);
-  least_residual_ = std::numeric_limits<Work>::infinity();
+  if (rests) best_.impulse.assign(best_.impulse.size(), 0.0);
+  center_.go_to(rows_, best_.impulse);
+  best_.residual = std::numeric_limits<double>::infinity();
   note_center();
   // Nothing can be said of what is no number.
-  const Work good_start = std::max(goal(), rounding_in<Real>(rows_.scale(), center_.size(), 1));
+  const double good_start = std::max(goal(), rounding_in<Real>(rows_.scale(), center_.size(), 1));
   if (settings_.iterations > 0 && residual_ > good_start && std::isfinite(residual_)) approach(problem);
 }
 
@@ -129,66 +129,66 @@ template <Scalar Real>
 bool NewtonSolver<Real>::last_is_answer() {
   if (settings_.iterations == 0 || rows_.scale() == 0) return false;
   center_.stay(rows_);
-  least_residual_ = std::numeric_limits<Work>::infinity();
+  best_.residual = std::numeric_limits<double>::infinity();
   note_center();
   return residual_ <= goal();
 }
 
 template <Scalar Real>
 void NewtonSolver<Real>::note_center() {
-  const Work error = center_.error();
+  const double error = center_.error();
   residual_ = error == 0 ? 0 : error / rows_.scale();
-  if (!(residual_ < least_residual_)) return;
-  least_residual_ = residual_;
-  rows_.copy_impulses(center_.x(), best_);
+  if (!(residual_ < best_.residual)) return;
+  best_.residual = residual_;
+  rows_.copy_impulses(center_.x(), best_.impulse);
 }
 
 /// The best impulses so far after some sweeps: what Newton's method finds easier to begin with.
 template <Scalar Real>
-void NewtonSolver<Real>::sweep(const VelocityProblem<Work>& problem, int sweeps) {
+void NewtonSolver<Real>::sweep(const VelocityProblem<double>& problem, int sweeps) {
   swept_ = problem;
-  swept_.impulse = best_;
-  AcceleratedProjectedGaussSeidel<Work>({.iterations = sweeps}).solve(swept_);
+  swept_.impulse = best_.impulse;
+  AcceleratedProjectedGaussSeidel<double>({.iterations = sweeps}).solve(swept_);
   sweeps_ += sweeps;
   center_.go_to(rows_, swept_.impulse);
   note_center();
 }
 
 template <Scalar Real>
-void NewtonSolver<Real>::approach(const VelocityProblem<Work>& problem) {
-  Work softness = Work(warm_softness);
+void NewtonSolver<Real>::approach(const VelocityProblem<double>& problem) {
+  double softness = warm_softness;
   if (factors_.are_for(rows_) && factors_.softness() > 0) softness = std::min(softness, factors_.softness());
   int failures = 0, idle = 0, sweeps = first_sweeps;
-  while (least_residual_ > goal() && failures < most_failures) {
-    const Work before = least_residual_;
+  while (best_.residual > goal() && failures < most_failures) {
+    const double before = best_.residual;
     map_.soften(softness);
     const bool is_solved = solve_softened(failures == 0 ? 1 : settings_.iterations);
     center_.go_to(rows_, map_.x(), map_.response());
     note_center();
     if (is_solved) {
-      if (least_residual_ <= Work(good_progress) * before) continue;
+      if (best_.residual <= good_progress * before) continue;
       go_on();
-      if (least_residual_ <= Work(good_progress) * before) continue;
-      const bool stands_still = !(least_residual_ <= Work(least_progress) * before);
-      idle = stands_still && softness <= Work(stiffest) ? idle + 1 : 0;
+      if (best_.residual <= good_progress * before) continue;
+      const bool stands_still = !(best_.residual <= least_progress * before);
+      idle = stands_still && softness <= stiffest ? idle + 1 : 0;
       if (idle == most_idle) break;
-      softness = std::max(softness / Work(softness_step), Work(stiffest));
+      softness = std::max(softness / softness_step, stiffest);
       continue;
     }
-    if (least_residual_ <= enough()) break;
+    if (best_.residual <= enough()) break;
     // What was found is kept where it is nearer. Where the interior does not lead there, and after many
     // failures, sweeps do.
     if (failures == 0) follow_interior();
     if (failures % failures_before_sweeps == 0) {
-      if (least_residual_ > enough()) {
+      if (best_.residual > enough()) {
         sweep(problem, sweeps);
         sweeps *= 2;
-        softness = Work(cold_softness);
+        softness = cold_softness;
       }
     } else {
-      center_.go_to(rows_, best_);
+      center_.go_to(rows_, best_.impulse);
       note_center();
-      softness = std::min(softness * Work(softness_step), Work(softest));
+      softness = std::min(softness * softness_step, softest);
     }
     failures += 1;
     if (systems_ >= settings_.iterations) break;
@@ -200,15 +200,15 @@ template <Scalar Real>
 void NewtonSolver<Real>::go_on() {
   center_.go_on(rows_, [this](int i) { return map_.is_held(i); });
   note_center();
-  if (residual_ == least_residual_) return;
-  center_.go_to(rows_, best_);
+  if (residual_ == best_.residual) return;
+  center_.go_to(rows_, best_.impulse);
   note_center();
 }
 
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
 template <Scalar Real>
 bool NewtonSolver<Real>::solve_softened(int most_systems) {
-  const Work small = std::max(Work(1e-2) * residual_, Work(1e-1) * goal()) * rows_.scale();
+  const double small = std::max(1e-2 * residual_, 1e-1 * goal()) * rows_.scale();
   const int last_system = std::min(settings_.iterations, systems_ + most_systems);
   return steps_.solve(at(), small, steps_of_one_problem,
                       [&] { return take_kept_step() || (systems_ < last_system && take_new_step()); });
@@ -222,7 +222,7 @@ bool NewtonSolver<Real>::take_kept_step() {
   sweeps_ += sweeps_of_a_kept_step;
   change_ = map_.value();
   factors_.solve(change_);
-  return steps_.leap(at(), change_, Work(kept_progress));
+  return steps_.leap(at(), change_, kept_progress);
 }
 
 /// A step by factors of the moment, shortened until it helps; false: it does not.
@@ -233,7 +233,7 @@ bool NewtonSolver<Real>::take_new_step() {
   factors_.factorize(rows_, map_, map_.softness());
   change_ = map_.value();
   factors_.solve(change_);
-  return change_.allFinite() && steps_.shorten(at(), change_, Work(least_part));
+  return change_.allFinite() && steps_.shorten(at(), change_, least_part);
 }
 
 template class NewtonSolver<float>;

@@ -66,51 +66,53 @@ class NewtonSolver final : public Solver<Real> {
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
   std::size_t memory() const override {
     const Eigen::Index numbers = center_.numbers() + map_.numbers() + steps_.numbers() + change_.size();
-    return rows_.memory() + interior_.memory() + factors_.memory() + best_.bytes() + inside_.bytes() +
-           static_cast<std::size_t>(numbers) * sizeof(Work);
+    return rows_.memory() + interior_.memory() + factors_.memory() + best_.impulse.bytes() + inside_.bytes() +
+           static_cast<std::size_t>(numbers) * sizeof(double);
   }
 
  private:
-  /// What it computes in.
-  using Work = double;
+  /// The impulses with the least R_E so far.
+  struct Best {
+    PerRow<double> impulse;  // [N s]
+    double residual = 0;
+  };
 
-  void answer(const VelocityProblem<Work>& problem, bool again);
+  void answer(const VelocityProblem<double>& problem, bool again);
   SolveReport solve_unobserved(VelocityProblem<Real>& problem);
   void give_answer(VelocityProblem<Real>& problem);
-  void approach(const VelocityProblem<Work>& problem);
-  void sweep(const VelocityProblem<Work>& problem, int sweeps);
-  Work tolerance() const { return static_cast<Work>(std::min(settings_.tolerance, loosest_tolerance)); }
-  Work enough() const { return std::max(tolerance(), rounding()); }
-  Work goal() const;
-  Work rounding() const;
+  void approach(const VelocityProblem<double>& problem);
+  void sweep(const VelocityProblem<double>& problem, int sweeps);
+  double tolerance() const { return std::min(settings_.tolerance, loosest_tolerance); }
+  double enough() const { return std::max(tolerance(), rounding()); }
+  double goal() const;
+  double rounding() const;
   void go_on();
   bool solve_softened(int most_systems);
   bool take_kept_step();
   bool take_new_step();
   void follow_interior();
-  Work take_interior_step();
-  typename NewtonSteps<Work>::Place at() { return {rows_, center_, map_}; }
+  double take_interior_step();
+  NewtonSteps<double>::Place at() { return {rows_, center_, map_}; }
   void note_center();
   bool last_is_answer();
 
   static constexpr double loosest_tolerance = 1e-7;
 
   SolverSettings settings_;
-  ScaledRows<Work> rows_;
-  ProximalCenter<Work> center_;
-  ProximalMap<Work> map_;
-  NewtonSteps<Work> steps_;
+  ScaledRows<double> rows_;
+  ProximalCenter<double> center_;
+  ProximalMap<double> map_;
+  NewtonSteps<double> steps_;
   InteriorRows interior_;
-  SlopeFactors factors_;  // of the last system, in this solve or in an earlier one
-  Vector<Work> change_;   // a step of Newton's method
-  Work residual_ = 0;     // R_E at the centre
-  Work least_residual_ = 0;
-  PerRow<Work> inside_;          // [N s] impulses on the way through the interior
-  VelocityProblem<Work> swept_;  // a copy for sweeps
-  PerRow<Work> best_;            // [N s] the impulses with that
-  std::uint64_t solved_ = 0;     // the number of the problem whose rows it has
-  int systems_ = 0;              // solved by factors of their own
-  int sweeps_ = 0;               // done between them, or what takes as long
+  SlopeFactors factors_;           // of the last system, in this solve or in an earlier one
+  Vector<double> change_;          // a step of Newton's method
+  double residual_ = 0;            // R_E at the centre
+  PerRow<double> inside_;          // [N s] impulses on the way through the interior
+  VelocityProblem<double> swept_;  // a copy for sweeps
+  Best best_;
+  std::uint64_t solved_ = 0;  // the number of the problem whose rows it has
+  int systems_ = 0;           // solved by factors of their own
+  int sweeps_ = 0;            // done between them, or what takes as long
 };
 
 }  // namespace cairn

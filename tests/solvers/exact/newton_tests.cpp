@@ -2,10 +2,9 @@
 #include <limits>
 #include <random>
 
-#include "constraints/converted.hpp"
 #include "../../validation/problems.hpp"
+#include "constraints/converted.hpp"
 #include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
 #include "solvers/exact/contact_modes.hpp"
 #include "solvers/exact/newton.hpp"
 #include "solvers/exact/reference_solver.hpp"
