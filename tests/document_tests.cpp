@@ -83,3 +83,20 @@ TEST_CASE("the page on extending fits on a screen or two, and every line of code
   }
   CHECK(quoted > 10);
 }
+
+TEST_CASE("the step that README has one read is ten files of less than 1500 lines together") {
+  const std::regex linked(R"(\]\((src/[^)]+)\))");
+  std::set<std::string> files;
+  bool is_list = false;
+  for (const std::string& line : document_lines(document_root / "README.md")) {
+    if (line.rfind("1. [", 0) == 0) is_list = true;
+    if (line.empty() && !files.empty()) is_list = false;
+    if (!is_list) continue;
+    for (std::sregex_iterator found(line.begin(), line.end(), linked), end; found != end; ++found)
+      files.insert((*found)[1].str());
+  }
+  CHECK(files.size() == 10);
+  int lines = 0;
+  for (const std::string& file : files) lines += document_lines(document_root / file).size();
+  CHECK(lines < 1500);
+}
