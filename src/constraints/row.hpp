@@ -141,8 +141,11 @@ struct RowBlock {
 /// may change a copy; who changes more of a problem than that renews its number.
 class ProblemNumber {
  public:
+  /// None.
   ProblemNumber() = default;
+  /// None.
   ProblemNumber(const ProblemNumber&) {}
+  /// None.
   ProblemNumber& operator=(const ProblemNumber&) {
     value_ = 0;
     return *this;

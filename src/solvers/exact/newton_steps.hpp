@@ -12,9 +12,9 @@ class NewtonSteps {
  public:
   /// Where steps are taken.
   struct Place {
-    const ScaledRows<Real>& rows;
-    const ProximalCenter<Real>& center;
-    ProximalMap<Real>& map;  // its last evaluation is the answer
+    const ScaledRows<Real>& rows;        // that are solved
+    const ProximalCenter<Real>& center;  // around which they are soft
+    ProximalMap<Real>& map;              // its last evaluation is the answer
   };
 
   /// Calls step() from du = 0 on, so many times at most, until |F| is small; step() says whether it helped.
