@@ -51,10 +51,11 @@ struct TakenFlag {
   const char* flag = "";
   bool SolverEntry::*taken = nullptr;
 };
-constexpr TakenFlag taken_flags[] = {
-    {"sweeps", &SolverEntry::uses_sweeps},   {"threads", &SolverEntry::uses_threads},
-    {"cold", &SolverEntry::uses_warm_start}, {"contact-search", &SolverEntry::uses_world},
-    {"scalar", &SolverEntry::uses_world},    {"stabilization", &SolverEntry::uses_world}};
+constexpr TakenFlag taken_flags[] = {{"sweeps", &SolverEntry::uses_sweeps},
+                                     {"cold", &SolverEntry::uses_warm_start},
+                                     {"contact-search", &SolverEntry::uses_world},
+                                     {"scalar", &SolverEntry::uses_world},
+                                     {"stabilization", &SolverEntry::uses_world}};
 
 }  // namespace
 
@@ -87,15 +88,9 @@ List<std::string> solver_names() {
   return names;
 }
 
-List<Flag> search_and_thread_flags() {
-  return {{"threads", "N",
-           fmt::format("of the solvers wide and wide-accelerated: the same numbers, sooner; from 1 to {}",
-                       SolverSettings::most_threads)},
-          {"contact-search", "WHICH", "every-substep, every-step or when-moved"}};
-}
+List<Flag> search_flags() { return {{"contact-search", "WHICH", "every-substep, every-step or when-moved"}}; }
 
-void set_search_and_threads(const Words& words, Setting& setting) {
-  setting.sweeps.threads = words.whole("threads", setting.sweeps.threads, 1, SolverSettings::most_threads);
+void set_search(const Words& words, Setting& setting) {
   setting.contact_search = choice_of(words, "contact-search", setting.contact_search, contact_search_words());
 }
 
@@ -105,7 +100,7 @@ List<Flag> setting_flags() {
        "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
       {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
       {"substeps", "N", "of which a step is made"}};
-  flags = joined_flags(flags, search_and_thread_flags());
+  flags = joined_flags(flags, search_flags());
   return joined_flags(flags,
                       {{"frequency", "HZ", "steps a second"},
                        {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
@@ -157,7 +152,7 @@ Setting common_setting(const Words& words, const SceneEntry& scene) {
   }
   setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, Setting::most_sweeps);
   setting.substeps = words.whole("substeps", setting.substeps, 1, SceneSettings::most_substeps);
-  set_search_and_threads(words, setting);
+  set_search(words, setting);
   setting.dt = step_of(words, setting.dt);
   StabilizationPolicy& policy = setting.stabilization.policy;
   policy = choice_of(words, "stabilization", policy, stabilization_words());

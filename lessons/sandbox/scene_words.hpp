@@ -14,14 +14,14 @@ namespace cairn::sandbox {
 /// file that cannot be read.
 SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others = {});
 
-/// --solver, --sweeps, --substeps, --threads, --contact-search, --frequency, --dt, --scalar, --stabilization,
+/// --solver, --sweeps, --substeps, --contact-search, --frequency, --dt, --scalar, --stabilization,
 /// --cold.
 List<Flag> setting_flags();
 
-/// --threads and --contact-search, which studies of whole runs take too.
-List<Flag> search_and_thread_flags();
-/// What the two ask for. @throws UsageError.
-void set_search_and_threads(const Words& words, Setting& setting);
+/// --contact-search, which studies of whole runs take too.
+List<Flag> search_flags();
+/// What it asks for. @throws UsageError.
+void set_search(const Words& words, Setting& setting);
 
 /// Why the scene is stepped so, where nobody has said how: the reason of its default. Else nothing.
 std::string why_chosen(const SceneEntry& scene, const Setting& setting);
@@ -32,7 +32,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene);
 
 /// The same for a scene under several solvers, which share the words: refuse_idle_flags() is still to come.
 Setting common_setting(const Words& words, const SceneEntry& scene);
-/// @throws UsageError for a flag, such as --threads, that means nothing to any of the solvers.
+/// @throws UsageError for a flag, such as --cold, that means nothing to any of the solvers.
 void refuse_idle_flags(const Words& words, const List<std::string>& solvers);
 
 /// "si" or "si:20": the setting with that solver, and with as many sweeps.

@@ -67,7 +67,7 @@ List<std::string> first_four(List<std::string> solvers) {
 
 /// Level 1: frozen problems.
 TradeStudy solve_trade(const Words& words, const List<std::string>& names) {
-  for (const char* flag : {"contact-search", "threads"}) words.refuse_beside(flag, "for one step (level 1)");
+  words.refuse_beside("contact-search", "for one step (level 1)");
   SolveGrid grid;
   const bool by_time = words.word("work", "updates", {"updates", "time"}) == "time";
   grid.solvers = solvers_of(words, grid.solvers, {});
@@ -102,7 +102,7 @@ TrajectoryGrid trajectory_grid(const Words& words) {
   if (!has_box2d()) {
     grid.solvers.erase(std::remove(grid.solvers.begin(), grid.solvers.end(), "box2d"), grid.solvers.end());
   }
-  set_search_and_threads(words, grid.base);
+  set_search(words, grid.base);
   grid.solvers =
       solvers_of(words, grid.solvers, has_box2d() ? List<std::string>{"box2d"} : List<std::string>{});
   refuse_idle_flags(words, grid.solvers);
@@ -172,8 +172,7 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
 
 /// Level 3: the map of settings.
 TradeStudy map_trade(const Words& words) {
-  for (const char* flag :
-       {"start", "scalar", "quick", "solvers", "work", "error", "contact-search", "threads"})
+  for (const char* flag : {"start", "scalar", "quick", "solvers", "work", "error", "contact-search"})
     words.refuse_beside(flag, "for the map of settings (level 3)");
   return {.study = map_study(map_scenes(), map_settings()), .level = 3, .name = "level3"};
 }

@@ -161,7 +161,7 @@ Verb tradeoff_verb() {
            {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
            {"table", "FILE", "level 3: draws and prints this table of an earlier run"},
            {"list", "", "what can be compared"}},
-          search_and_thread_flags()),
+          search_flags()),
       .examples = {"tradeoff stack10 --quick", "tradeoff pendulum-150 --labels",
                    "tradeoff pyramid --solvers si,wide,wide-accelerated --contact-search when-moved",
                    "tradeoff --all --level 1 --shard 1/4"},

@@ -103,8 +103,6 @@ List<SceneKey> scene_recommended_keys() {
       {"recommended", "relaxation", number, "", "1", "from 0.001 to 1.999", "omega of SOR"},
       {"recommended", "patience", integer, "", "0", "from 0 to 1000000000",
        "stop after so many sweeps at a standstill; 0: never"},
-      {"recommended", "threads", integer, "", "1",
-       "from 1 to " + std::to_string(SolverSettings::most_threads), "of wide and wide-accelerated"},
       {"recommended", "scalar", word, "", "double", listed_words(precision_words()), "type of number"},
       {"recommended", "position_iterations", integer, "", "3", "from 0 to 1000000000", "of box2d alone"},
       {"expect", "penetration", number, "m", "", "> 0", "no overlap is deeper"},

@@ -62,7 +62,6 @@ SolverSettings sweeps_of(const SceneTable& table) {
   sweeps.seed = static_cast<std::uint64_t>(table.number("seed"));
   sweeps.relaxation = table.number("relaxation");
   sweeps.patience = table.integer("patience");
-  sweeps.threads = table.integer("threads");
   return sweeps;
 }
 

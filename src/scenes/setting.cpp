@@ -18,7 +18,6 @@ std::string sweeps_text(const SolverSettings& sweeps) {
   if (sweeps.tolerance > 0) text += fmt::format(" to {:g}", sweeps.tolerance);
   if (sweeps.relaxation != usual.relaxation) text += fmt::format(" omega {:g}", sweeps.relaxation);
   if (sweeps.patience != usual.patience) text += fmt::format(" patience {}", sweeps.patience);
-  if (sweeps.threads != usual.threads) text += fmt::format(" threads {}", sweeps.threads);
   if (sweeps.time_budget > 0) text += fmt::format(" within {:g} s", sweeps.time_budget);
   switch (sweeps.order) {
     case RowOrder::as_written:

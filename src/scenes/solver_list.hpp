@@ -25,7 +25,6 @@ struct SolverEntry {
   bool uses_sweeps = true;      // SolverSettings::iterations
   bool uses_order = true;       // SolverSettings::order
   bool uses_relaxation = true;  // SolverSettings::relaxation
-  bool uses_threads = false;    // SolverSettings::threads
   bool uses_warm_start = true;  // the impulses of the last step
   /// Setting::scalar, stabilization, contact_search: those of a world of Cairn.
   bool uses_world = true;

@@ -16,8 +16,6 @@ void check(const SolverSettings& settings, const std::string& solver) {
   require(settings.time_budget >= 0 && std::isfinite(settings.time_budget), solver, "time_budget",
           "a finite number >= 0 s", settings.time_budget);
   require(settings.patience >= 0, solver, "patience", ">= 0", settings.patience);
-  require(settings.threads >= 1 && settings.threads <= SolverSettings::most_threads, solver, "threads",
-          "from 1 to " + std::to_string(SolverSettings::most_threads), settings.threads);
 }
 
 template <Scalar Real>

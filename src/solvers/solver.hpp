@@ -15,8 +15,6 @@ namespace cairn {
 
 /// When to stop, for every iterative solver; and how to sweep, for those of the Gauss-Seidel kind.
 struct SolverSettings {
-  static constexpr int most_threads = 64;  // more are refused
-
   int iterations = 10;     // sweeps over all rows, at most
   double tolerance = 0;    // stop once the residual R_E (residual.hpp) is at most this; 0: never sooner
   double time_budget = 0;  // [s] no sweep begins later than this; 0: none. Its answer depends on the machine
@@ -24,7 +22,6 @@ struct SolverSettings {
   std::uint64_t seed = 1;                 // of RowOrder::shuffled
   double relaxation = 1;  // omega of SOR (D. M. Young, 1954): every corrective impulse is multiplied by it
   int patience = 0;  // so many sweeps at a standstill end it; cycles and plateaus do (stopping.hpp); 0: never
-  int threads = 1;   // that share a sweep, for WideSequentialImpulse: the same bits whatever it is
 };
 
 /// One row update, as an observer sees it.
@@ -82,8 +79,8 @@ struct SolveReport {
 /// Owns settings and scratch memory only: the problem carries everything else. The one exception is
 /// NewtonSolver, which finds its answer sooner by what it has kept.
 ///
-/// Threads: one solve at a time, in which a solver may have threads of its own. Different solvers, copies
-/// too, have nothing in common, and may solve at the same time. After a solve that throws it is as good as
+/// Threads: one solve at a time. Different solvers, copies too, have nothing in common, and may solve at the
+/// same time. After a solve that throws it is as good as
 /// new.
 template <Scalar Real>
 class Solver {
@@ -101,7 +98,7 @@ class Solver {
 };
 
 /// @throws std::invalid_argument unless iterations and patience are >= 0, tolerance and time_budget are
-/// finite numbers >= 0, relaxation is above 0 and below 2, and threads are from 1 to 64.
+/// finite numbers >= 0, and relaxation is above 0 and below 2.
 void check(const SolverSettings& settings, const std::string& solver);
 
 /// @throws std::invalid_argument unless the problem's blocks follow each other and cover all rows.

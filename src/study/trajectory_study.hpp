@@ -38,7 +38,7 @@ struct TrajectoryGrid {
   List<int> frequencies = {30, 60, 120, 240, 480, 960};  // [Hz]
   List<int> substeps = {1, 4, 16};
   List<int> sweeps = {1, 2, 4, 8, 16, 32, 64};
-  Setting base = {};  // what the settings have in common: stabilization, search for contacts, threads
+  Setting base = {};  // what the settings have in common: stabilization, search for contacts
 };
 
 /// Row updates for each second simulated beyond which a setting is not followed, counted with ten sweeps more

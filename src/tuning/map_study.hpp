@@ -32,8 +32,8 @@ const List<MapFamily>& map_families();
 List<MapScene> map_scenes();
 
 /// 1472: si, accelerated, newton, block, jacobi-split; 30 to 240 Hz; 1 and 4 substeps; 1, 3, 10, 30, 100
-/// sweeps (newton 1, 3, 10 systems); relaxed, soft, split impulse, Baumgarte; double and float. Lanes and
-/// threads are not among them: they change the time of a row update and not the number of them.
+/// sweeps (newton 1, 3, 10 systems); relaxed, soft, split impulse, Baumgarte; double and float. Lanes
+/// are not among them: they change the time of a row update and not the number of them.
 List<Setting> map_settings();
 
 /// Errors above this are not told apart: a run is given up there. Metres of overlap and of joints' gaps, or

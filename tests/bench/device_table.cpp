@@ -1,5 +1,4 @@
-// All rows at once on a device, beside colours on lanes and threads: the same error, and what it takes
-// (paper 4.4).
+// All rows at once on a device, beside colours on lanes: the same error, and what it takes (paper 4.4).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +29,6 @@ constexpr int repetitions = 5;
 struct Contender {
   std::string name = {};
   std::function<std::unique_ptr<Solver<float>>(const SolverSettings&)> make = {};
-  int threads = 1;
   int waits = 0;
 };
 
@@ -60,19 +58,9 @@ VelocityProblem<double> side_by_side(const VelocityProblem<double>& one, int cop
   return all;
 }
 
-/// Colours of the contacts: as many turns has a sweep that takes them side by side.
-int contact_colours(const VelocityProblem<double>& problem) {
-  VelocityProblem<double> contacts = problem;
-  contacts.rows.clear();
-  for (const RowBlock& block : problem.blocks) contacts.rows.push_back(problem.rows[block.first]);
-  RowSequence sequence;
-  order_rows(contacts, RowOrder::coloured, 1, 1, sequence);
-  return sequence.colours.size() - 1;
-}
-
 double error_after(const Contender& contender, int sweeps, const VelocityProblem<double>& start) {
   VelocityProblem<float> problem = converted<float>(start);
-  contender.make({.iterations = sweeps, .threads = contender.threads})->solve(problem);
+  contender.make({.iterations = sweeps})->solve(problem);
   return residual(converted<double>(problem), residual_scale(start)).energy;
 }
 
@@ -91,12 +79,12 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Of the wall clock, medians [ms] of solves in turn: other threads and the device work beside this one.
+/// Of the wall clock, medians [ms] of solves in turn: the device works beside this thread.
 List<double> solve_times(const List<Contender>& contenders, const List<int>& sweeps,
                          const VelocityProblem<float>& start) {
   List<std::unique_ptr<Solver<float>>> solvers;
   for (int i = 0; i < contenders.size(); ++i) {
-    solvers.push_back(contenders[i].make({.iterations = sweeps[i], .threads = contenders[i].threads}));
+    solvers.push_back(contenders[i].make({.iterations = sweeps[i]}));
   }
   List<List<double>> times(contenders.size());
   VelocityProblem<float> problem = start;
@@ -120,16 +108,15 @@ std::unique_ptr<Solver<float>> made(const SolverSettings& settings) {
   return std::make_unique<SolverType>(settings);
 }
 
-List<Contender> all_contenders(int colours) {
+List<Contender> all_contenders() {
   List<Contender> all = {
       {"si", made<SequentialImpulse<float>>},
-      {"wide", made<WideSequentialImpulse<float>>, 1},
-      {"wide, 2 threads", made<WideSequentialImpulse<float>>, 2, colours},
+      {"wide", made<WideSequentialImpulse<float>>},
       {"jacobi-split", [](const SolverSettings& settings) -> std::unique_ptr<Solver<float>> {
          return std::make_unique<Jacobi<float>>(settings, Splitting::mass);
        }}};
 #ifdef CAIRN_HAVE_OPENCL
-  if (has_opencl_device<float>()) all.push_back({"opencl-jacobi", made<OpenClJacobi<float>>, 1, 2});
+  if (has_opencl_device<float>()) all.push_back({"opencl-jacobi", made<OpenClJacobi<float>>, 2});
 #endif
   return all;
 }
@@ -147,17 +134,17 @@ void print_device() {
 }  // namespace
 
 void print_device_table() {
-  print_heading("11. All rows at once on a device, beside colours on lanes and threads");
+  print_heading("11. All rows at once on a device, beside colours on lanes");
   fmt::print(
       R"(Pyramids of {} boxes at the bottom, side by side on one ground, from a cold start, in float, down to R_E <=
 {}: every solver does as many sweeps as it needs for that, and only then are times compared. Waits: how often
-all that work at once wait for the last of them, colours of threads and kernels of a device. Times are of the
+all that work at once wait for the last of them, the kernels of a device. Times are of the
 wall clock, with all that a solve sets up and sends, medians of {} solves in turn.
 )",
       base, wanted, repetitions);
   print_device();
   const VelocityProblem<double> one = cold(pyramid_problem(base));
-  const List<Contender> contenders = all_contenders(contact_colours(one));
+  const List<Contender> contenders = all_contenders();
   List<int> sweeps;
   for (const Contender& contender : contenders) sweeps.push_back(sweeps_needed(contender, one));
   TextTable table({{"rows", "m"},

@@ -12,7 +12,7 @@ void print_feature_table();     // what a feature costs where it is not used
 void print_policy_table();      // what becomes of errors in positions
 void print_search_table();      // what it costs that manifolds last
 void print_growth_table();      // what it takes to know who is near whom
-void print_device_table();      // Jacobi on a device beside colours on lanes and threads (paper 4.4)
+void print_device_table();      // Jacobi on a device beside colours on lanes (paper 4.4)
 void print_default_table();     // exact solves beside sweeps in lanes, against the number of bodies
 void print_constraint_table();  // what each kind of constraint writes, and what that costs
 

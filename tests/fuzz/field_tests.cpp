@@ -220,8 +220,6 @@ TEST_CASE("every number of a solver's settings is refused by name, whichever sol
          {"relaxation", with_sweeps([](SolverSettings& s, double x) { s.relaxation = x; }), {0, -1, 2}}});
     CHECK_THROWS_AS(make_solver<double>(entry.name, {.iterations = -1}), std::invalid_argument);
     CHECK_THROWS_AS(make_solver<double>(entry.name, {.patience = -1}), std::invalid_argument);
-    CHECK_THROWS_AS(make_solver<double>(entry.name, {.threads = 0}), std::invalid_argument);
-    CHECK_THROWS_AS(make_solver<double>(entry.name, {.threads = 65}), std::invalid_argument);
   }
 }
 
@@ -249,15 +247,15 @@ TEST_CASE("bounds of a frozen row that only huge impulses keep are refused by na
 
 TEST_CASE("whoever gives a type another field is reminded of the tables above") {
   // These lines compile for as many fields as there are names.
-  const auto& [gravity, dt, substeps, stabilization, warm_start, search, margin, threshold, rows,
-               sleeping] = SceneSettings{};
+  const auto& [gravity, dt, substeps, stabilization, warm_start, search, margin, threshold, rows, sleeping] =
+      SceneSettings{};
   const auto& [policy, baumgarte, slop, max_speed, soft, joint_soft] = stabilization;
-  const auto& [iterations, tolerance, budget, order, seed, relaxation, patience, threads] = SolverSettings{};
+  const auto& [iterations, tolerance, budget, order, seed, relaxation, patience] = SolverSettings{};
   const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, friction, rebound,
                drag, turning_drag, scale, fixed, sensor, category, collides] = BodySpec{};
   CHECK(substeps == 1);
   CHECK_FALSE(max_speed);
   CHECK(iterations == 10);
-  CHECK(threads == 1);
+  CHECK(patience == 0);
   CHECK(density == 1);
 }

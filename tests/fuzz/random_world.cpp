@@ -36,7 +36,6 @@ struct SolverChoice {
 SolverChoice random_solver(Choices& choices) {
   SolverChoice solver;
   solver.settings.iterations = choices.below(12);
-  solver.settings.threads = 1 + choices.below(3);
   if (choices.one_in(3)) solver.settings.tolerance = 1e-3;
   if (choices.one_in(5)) solver.settings.patience = 3;
   if (choices.one_in(4)) solver.settings.relaxation = choices.between(0.7, 1.5);

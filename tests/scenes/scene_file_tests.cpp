@@ -241,7 +241,6 @@ row_order = "shuffled"
 seed = 3
 relaxation = 1.2
 patience = 4
-threads = 3
 scalar = "float"
 dt = 0.01
 substeps = 2
@@ -253,7 +252,7 @@ stabilization = { policy = "soft", frequency = 60 }
                                           "recommended.toml")
                               .setting;
   CHECK(setting_text(setting) ==
-        "pgs x20 to 1e-06 omega 1.2 patience 4 threads 3 within 0.5 s shuffled 3, 100 Hz x2, contacts every "
+        "pgs x20 to 1e-06 omega 1.2 patience 4 within 0.5 s shuffled 3, 100 Hz x2, contacts every "
         "step, "
         "soft 60 Hz, float, cold");
   CHECK(setting.position_iterations == 5);

@@ -181,6 +181,5 @@ TEST_CASE("the defaults of scene files are those of the engine: joints and solve
   CHECK(schema_default("recommended", "seed") == setting.sweeps.seed);
   CHECK(schema_default("recommended", "relaxation") == setting.sweeps.relaxation);
   CHECK(schema_default("recommended", "patience") == setting.sweeps.patience);
-  CHECK(schema_default("recommended", "threads") == setting.sweeps.threads);
   CHECK(schema_default("recommended", "position_iterations") == setting.position_iterations);
 }

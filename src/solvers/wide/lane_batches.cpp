@@ -62,7 +62,7 @@ void LaneBatches::make_batches() {
 }
 
 /// Whatever their kinds: neighbours in the problem are near each other in every colour, and so are the bodies
-/// that a thread finds in its cache.
+/// that a sweep finds in the cache.
 void LaneBatches::order_by_place() {
   for (int k = 0; k + 1 < colours_.size(); ++k) {
     std::sort(batches_.begin() + colours_[k], batches_.begin() + colours_[k + 1],

@@ -179,7 +179,7 @@ template <int bytes, typename Number, typename Numbers>
   }
 }
 
-/// Those that can move: several threads may read one that cannot, and nobody writes it.
+/// Those that can move: nobody writes one that cannot.
 template <int bytes, typename Number, typename Numbers>
 [[gnu::always_inline]] inline void write_moving_bodies(const Numbers* velocity, LaneBody<Number>* bodies,
                                                        const std::int32_t* body, unsigned moves) {

@@ -73,7 +73,7 @@ void LaneSystem<Real>::undo(VelocityProblem<Real>& problem) {
   }
 }
 
-/// Colour by colour: batches of one share no body that can move, and any thread may take any of them.
+/// Colour by colour: batches of one share no body that can move.
 template <Scalar Real>
 template <LanePass kind>
 LaneSteps<Real> LaneSystem<Real>::pass(VelocityProblem<Real>& problem, int number,
@@ -82,18 +82,8 @@ LaneSteps<Real> LaneSystem<Real>::pass(VelocityProblem<Real>& problem, int numbe
   const List<int>& colours = batches_.colours();
   for (int colour = 0; colour + 1 < colours.size(); ++colour) {
     const int begin = colours[colour], end = colours[colour + 1];
-    sums_.resize((end - begin + batches_in_a_sum - 1) / batches_in_a_sum);
-    const auto add_up = [&](int sum) {
-      const int first = begin + sum * batches_in_a_sum;
-      const int last = std::min(first + batches_in_a_sum, end);
-      sums_[sum] = pass_batches<kind>(problem, first, last, number, watcher);
-    };
-    if (watcher != nullptr || end - begin < fewest_to_share) {
-      for (int sum = 0; sum < sums_.size(); ++sum) add_up(sum);
-    } else {
-      threads_.share(sums_.size(), add_up);
-    }
-    for (const LaneSteps<Real>& sum : sums_) steps.add(sum);
+    for (int first = begin; first < end; first += batches_in_a_sum)
+      steps.add(pass_batches<kind>(problem, first, std::min(first + batches_in_a_sum, end), number, watcher));
   }
   return steps;
 }

@@ -21,8 +21,8 @@ LaneSet known(LaneSet set) {
 }  // namespace
 
 template <Scalar Real>
-LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation, int threads)
-    : code_(lane_code<Real>(known(set))), relaxation_(relaxation), threads_(threads) {}
+LaneSystem<Real>::LaneSystem(LaneSet set, Real relaxation)
+    : code_(lane_code<Real>(known(set))), relaxation_(relaxation) {}
 
 template <Scalar Real>
 void LaneSystem<Real>::begin(VelocityProblem<Real>& problem) {
@@ -249,7 +249,7 @@ std::size_t LaneSystem<Real>::bytes() const {
   return batches_.bytes() + contacts_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() +
          from_.inverse_mass.bytes() + from_.root.bytes() + from_.velocity.bytes() + from_.impulse.bytes() +
          single_.mass.bytes() + single_.contact_rows.bytes() + before_.rows.bytes() + before_.bodies.bytes() +
-         before_.singles.bytes() + sums_.bytes();
+         before_.singles.bytes();
 }
 
 template class LaneSystem<float>;

@@ -6,7 +6,6 @@
 #include "solvers/wide/lane_batches.hpp"
 #include "solvers/wide/lane_contacts.hpp"
 #include "solvers/wide/lane_sets.hpp"
-#include "solvers/wide/lane_threads.hpp"
 
 namespace cairn {
 
@@ -35,12 +34,8 @@ enum class LaneLook { rough, exact };
 template <Scalar Real>
 class LaneSystem {
  public:
-  /// Batches of one colour: fewer are sooner done by one thread. Sharing takes 0.6 us, and a microsecond more
-  /// goes by while threads pass on bodies; 57 batches took one thread 6.5 us, and two 6.
-  static constexpr int fewest_to_share = 48;
-
   /// @throws std::invalid_argument for a set that this processor has not.
-  LaneSystem(LaneSet set, Real relaxation, int threads);
+  LaneSystem(LaneSet set, Real relaxation);
 
   /// Lays a problem in lanes, with rows of contacts or without, and gives it its warm start, in the order of
   /// a sweep.
@@ -76,8 +71,8 @@ class LaneSystem {
   std::size_t bytes() const;
 
  private:
-  // What a thread takes at a time. Sums over them are made in the lanes' precision, in which those of many
-  // more would lose their small terms, and are added in the order of batches, whoever made them.
+  // Sums over so many are made in the lanes' precision, in which those of many more would lose their small
+  // terms.
   static constexpr int batches_in_a_sum = 16;
 
   /// The problem as it was taken over.
@@ -142,8 +137,6 @@ class LaneSystem {
   Before before_;
   Real momentum_ = 0;               // of the pass that gathers it
   LaneFilling<Real> filling_ = {};  // scratch, for one batch
-  LaneThreads threads_;
-  List<LaneSteps<Real>> sums_;  // scratch, of batches_in_a_sum each
 };
 
 /// The k-th of those that go one by one: contacts come last.

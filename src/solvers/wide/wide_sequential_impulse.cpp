@@ -8,7 +8,7 @@ namespace cairn {
 template <Scalar Real>
 WideSequentialImpulse<Real>::WideSequentialImpulse(const SolverSettings& settings, Momentum momentum,
                                                    LaneSet set)
-    : settings_(settings), momentum_(momentum), lanes_(set, Real(settings.relaxation), settings.threads) {
+    : settings_(settings), momentum_(momentum), lanes_(set, Real(settings.relaxation)) {
   check(settings, "WideSequentialImpulse");
   settings_.order = RowOrder::coloured;  // whatever was asked for
 }

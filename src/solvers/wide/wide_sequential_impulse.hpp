@@ -31,18 +31,16 @@ enum class Momentum {
 /// SolveReport::largest_change is that of the last sweep from y.
 ///
 /// Guarantees: impulses inside their bounds; velocities are those that the impulses make, to a rounding of
-/// the problem's own; the same bits for every instruction set and number of threads. A tolerance is judged by
+/// the problem's own; the same bits for every instruction set. A tolerance is judged by
 /// R_E, computed where the steps of a sweep are near those for which R_E was last seen to be too large
 /// (Stopping).
 ///
 /// Cost: 12 multiply-adds a row and sweep, 24 with momentum, 16 rows at a time; filling lanes with
 /// rows and emptying them takes as long as two or three sweeps of SequentialImpulse, so one or two sweeps
 /// gain nothing; with contacts that have no rows, about as long as one, and a single sweep
-/// over them, 16 at a time in the problem's precision, a third of that. Where a
-/// colour has many batches (LaneSystem::fewest_to_share), as where hundreds of piles stand side by side,
-/// SolverSettings::threads share them. Memory linear in m. Colours are kept from
-/// solve to solve while bodies and kinds of rows are the same. Observers: after_row comes when all rows of a
-/// batch have been updated. Sources: E. Catto, Box2D v3 (2024), for colours and lanes in SI.
+/// over them, 16 at a time in the problem's precision, a third of that. Memory linear in m. Colours are kept
+/// from solve to solve while bodies and kinds of rows are the same. Observers: after_row comes when all rows
+/// of a batch have been updated. Sources: E. Catto, Box2D v3 (2024), for colours and lanes in SI.
 template <Scalar Real = double>
 class WideSequentialImpulse final : public Solver<Real> {
  public:

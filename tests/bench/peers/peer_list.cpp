@@ -24,7 +24,6 @@ List<Setting> usual_settings_of_cairn() {
           {.solver = "newton", .sweeps = {.iterations = 50, .tolerance = 1e-6}, .contact_search = when_moved},
           {.solver = "si", .sweeps = {.iterations = 1}, .substeps = 4, .stabilization = soft},
           {.solver = "wide", .sweeps = {.iterations = 20}, .contact_search = when_moved},
-          {.solver = "wide", .sweeps = {.iterations = 20, .threads = 2}, .contact_search = when_moved},
           {.solver = "wide", .sweeps = {.iterations = 300, .tolerance = 1e-3}, .contact_search = when_moved},
           {.solver = "wide-accelerated",
            .sweeps = {.iterations = 300, .tolerance = 1e-3},
@@ -74,7 +73,6 @@ Contestant cairn_with(const Setting& setting) {
     name = fmt::format("Cairn {} to {:g}", setting.solver, setting.sweeps.tolerance);
   if (setting.substeps > 1) name += fmt::format(", {} substeps", setting.substeps);
   if (setting.contact_search == when_moved) name += ", moved";
-  if (setting.sweeps.threads > 1) name += fmt::format(", {} threads", setting.sweeps.threads);
   if (setting.stabilization.policy != Stabilization{}.policy) {
     name += ", " + stabilization_text(setting.stabilization);
   }
