@@ -54,7 +54,7 @@ Scene scene_to_share(bool with_chain, ContactSearch search) {
 
 /// What comes of a world after some steps, a push, an edit and a hand; another for each number.
 std::uint64_t run_to_an_end(World<double> world, int number) {
-  WideSequentialImpulse<double> wide({.iterations = 4, .threads = 2});
+  WideSequentialImpulse<double> wide({.iterations = 4});
   SequentialImpulse<double> plain({.iterations = 4});
   for (int step = 0; step < 15; ++step) {
     if (step == 4) world.set_velocity(BodyId{1 + number}, {0, 1, 0});
