@@ -73,20 +73,6 @@ inline VelocityProblem<double> lane_grid(int side, int kinds) {
   return grid.problem;
 }
 
-/// Chains of four bodies side by side, of which the first cannot move: three colours with a block of each.
-inline VelocityProblem<double> lane_chains(int chains) {
-  LaneGrid grid;
-  for (int chain = 0; chain < chains; ++chain) {
-    for (int link = 0; link < 4; ++link) {
-      const int body = 4 * chain + link;
-      grid.problem.velocity.push_back({grid.numbers.next(), grid.numbers.next(), grid.numbers.next()});
-      grid.problem.inverse_mass.push_back(link == 0 ? Vec3<double>(0, 0, 0) : Vec3<double>(1, 1, 1.5));
-      if (link > 0) grid.add_block(body - 1, body, grid.numbers.below(4));
-    }
-  }
-  return grid.problem;
-}
-
 /// A grid with rows that fit into no lane: of three bodies, on a disc, and friction on another block's row.
 inline VelocityProblem<double> lane_grid_with_oddities(int kinds) {
   LaneGrid grid = {.problem = lane_grid(12, kinds)};
