@@ -46,7 +46,6 @@ SleepState<Real>::SleepState(const Scene& scene) : settings_(scene.settings().sl
   }
   island_.assign(type_.size(), awake);
   still_for_.assign(type_.size(), 0);
-  parent_.resize(type_.size());
   held_.resize(type_.size());
   restless_.resize(type_.size());
   note_drives(scene);
@@ -145,7 +144,7 @@ void SleepState<Real>::hold(PerBody<Vec3<Real>>& velocity) const {
 template <Scalar Real>
 void SleepState<Real>::let_sleep(const List<Contact<Real>>& contacts, double dt, BodyState<Real>& state) {
   count_still_time(dt, state);
-  for (const BodyId body : parent_.indices()) parent_[body] = body;
+  connected_.begin(type_.size());
   std::fill(held_.begin(), held_.end(), char{0});
   for_each_connection(contacts, [&](Span<const BodyId> connected) { connect(connected, state.velocity); });
   find_restless(dt);
@@ -190,22 +189,9 @@ void SleepState<Real>::connect(Span<const BodyId> connected, const PerBody<Vec3<
     if (!is_dynamic(body)) continue;
     if (carried) still_for_[body] = 0;
     if (is_held) held_[body] = 1;
-    const BodyId root = root_of(body);
-    if (first == awake) first = root;
-    const BodyId low = std::min(first, root);
-    parent_[std::max(first, root)] = low;
-    first = low;
+    if (first == awake) first = body;
+    connected_.connect(first, body);
   }
-}
-
-/// The lowest id of a body's island. Halves the path on the way.
-template <Scalar Real>
-BodyId SleepState<Real>::root_of(BodyId body) {
-  while (parent_[body] != body) {
-    parent_[body] = parent_[parent_[body]];
-    body = parent_[body];
-  }
-  return body;
 }
 
 /// Islands of which some body has not been still for long enough, to the nearest step, or is driven.
@@ -213,10 +199,10 @@ template <Scalar Real>
 void SleepState<Real>::find_restless(double dt) {
   std::fill(restless_.begin(), restless_.end(), char{0});
   for (const BodyId body : held_.indices()) {
-    if (held_[body]) held_[root_of(body)] = 1;
+    if (held_[body]) held_[connected_.lowest(body)] = 1;
   }
   for (const BodyId body : still_for_.indices()) {
-    const BodyId root = root_of(body);
+    const BodyId root = connected_.lowest(body);
     const bool still = still_for_[body] > 0 && still_for_[body] > settings_.time - dt / 2;
     if (!still || driven_[body] || (falls_[body] && !held_[root])) restless_[root] = 1;
   }
@@ -228,7 +214,7 @@ void SleepState<Real>::put_to_sleep(PerBody<Vec3<Real>>& velocity) {
   count_ = {};
   for (const BodyId body : island_.indices()) {
     if (type_[body] != BodyType::dynamic || island_[body] != awake) continue;
-    const BodyId root = root_of(body);
+    const BodyId root = connected_.lowest(body);
     if (restless_[root]) {
       count_.bodies += 1;
       count_.islands += root == body;

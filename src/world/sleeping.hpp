@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "constraints/row.hpp"
+#include "dynamics/connected_bodies.hpp"
 #include "world/scene.hpp"
 #include "math/list.hpp"
 
@@ -68,7 +69,6 @@ class SleepState {
   void count_still_time(double dt, const BodyState<Real>& state);
   bool is_still(BodyId body, const BodyState<Real>& state) const;
   void connect(Span<const BodyId> connected, const PerBody<Vec3<Real>>& velocity);
-  BodyId root_of(BodyId body);
   void find_restless(double dt);
   void put_to_sleep(PerBody<Vec3<Real>>& velocity);
 
@@ -86,7 +86,7 @@ class SleepState {
   AwakeCount count_ = {};
 
   // Scratch memory.
-  PerBody<BodyId> parent_;  // in the forest of islands: never a higher id
+  ConnectedBodies connected_;
   PerBody<char> held_;      // of each body, and then of each root: by what cannot be pushed
   PerBody<char> restless_;  // of each root: some body of its island may not sleep yet
 };
