@@ -1,50 +1,10 @@
-// Floor 4. Proximal steps from the warm start.
+// Floor 4. Newton's method, island by island.
 #include "solvers/exact/newton_solver.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "constraints/converted.hpp"
-#include "math/deadline.hpp"
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
-
 namespace cairn {
-
-namespace {
-
-// Softness, of rows with ones on the diagonal.
-constexpr double warm_softness = 1e-6;
-constexpr double cold_softness = 1e-2;
-constexpr double softest = 10;
-constexpr double stiffest = 1e-9;  // below it, factors in double have few digits left
-constexpr double softness_step = 10;
-constexpr int steps_of_one_problem = 10;
-constexpr int first_sweeps = 30;
-constexpr int failures_before_sweeps = 4;
-constexpr int most_failures = 20;
-constexpr double roundings_of_residual = 4;  // of R_E: there is nothing below,
-constexpr int roundings_of_impulses = 16;    // nor below so many of all impulses, beside the scale of R_E
-constexpr double goal_of_tolerance = 0.01;
-// Of R_E in a step that was solved: where it falls less, the next is stiffer;
-constexpr double good_progress = 0.1;
-// and where that is at the stiffest already, so often in a row, it stands still.
-constexpr double least_progress = 0.5;
-constexpr int most_idle = 3;
-constexpr double kept_progress = 0.3;     // of |F| in a step by kept factors: else they do not help any more
-constexpr double least_part = 1.0 / 256;  // of a step by factors of the moment
-// In time: to look at a problem, and a step by kept factors.
-constexpr int sweeps_of_a_look = 3;
-constexpr int sweeps_of_a_kept_step = 2;
-
-/// R_E that numbers of this type leave, in each impulse so many roundings of it.
-template <typename Number>
-double rounding_in(double scale, double size_of_impulses, int roundings) {
-  const double impulses = scale > 0 ? size_of_impulses / scale : 0.0;
-  return std::numeric_limits<Number>::epsilon() * std::max(roundings_of_residual, roundings * impulses);
-}
-
-}  // namespace
 
 template <Scalar Real>
 NewtonSolver<Real>::NewtonSolver(const SolverSettings& settings) : settings_(settings) {
@@ -54,186 +14,74 @@ NewtonSolver<Real>::NewtonSolver(const SolverSettings& settings) : settings_(set
 template <Scalar Real>
 SolveReport NewtonSolver<Real>::solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer) {
   if (observer != nullptr) observer->before_solve(problem);
-  const SolveReport report = solve_unobserved(problem);
-  if (observer != nullptr) observer->after_sweep(systems_, problem);
-  return report;
-}
-
-template <Scalar Real>
-SolveReport NewtonSolver<Real>::solve_unobserved(VelocityProblem<Real>& problem) {
   const bool again = problem.number.value() != 0 && problem.number.value() == solved_;
   solved_ = 0;  // until it is done
-  if constexpr (std::is_same_v<Real, double>) {
-    answer(problem, again);
-  } else {
-    answer(converted<double>(problem), again);
+  if (!again) split(problem);
+  std::int64_t rows = 0, systems = 0, sweeps = 0;
+  SolveReport report{.converged = true, .stop = Stop::tolerance, .residual = 0.0};
+  for (Part& part : parts_) {
+    if (again && !is_whole(part)) part.island.take_again(problem);
+    const SolveReport solved = solve_part(part, problem);
+    const std::int64_t count = is_whole(part) ? problem.row_count() : part.island.rows.size();
+    rows += count;
+    systems += count * solved.iterations;
+    sweeps += count * solved.extra_sweeps;
+    // What is no number is the worst.
+    if (!(*solved.residual <= *report.residual) && *report.residual == *report.residual)
+      report.residual = solved.residual;
+    if (!solved.converged) {
+      report.converged = false;
+      report.stop = Stop::sweeps;
+    }
   }
-  give_answer(problem);
   solved_ = problem.number.value();
-  SolveReport report{.iterations = systems_, .extra_sweeps = sweeps_};
-  const double asked = settings_.tolerance;
-  report.converged =
-      best_.residual <= std::max({asked, rounding(), rounding_in<Real>(rows_.scale(), center_.size(), 1)});
-  if (report.converged) report.stop = Stop::tolerance;
-  report.residual = best_.residual;
+  if (rows > 0) {
+    report.iterations = static_cast<int>((systems + rows - 1) / rows);
+    report.extra_sweeps = static_cast<int>((sweeps + rows - 1) / rows);
+  }
+  if (observer != nullptr) observer->after_sweep(report.iterations, problem);
   return report;
 }
 
 template <Scalar Real>
-void NewtonSolver<Real>::give_answer(VelocityProblem<Real>& problem) {
-  for (int i = 0; i < problem.row_count(); ++i) problem.impulse[i] = static_cast<Real>(best_.impulse[i]);
-  if (!std::isfinite(best_.residual)) return apply_impulses(problem);
-  if (residual_ != best_.residual) center_.go_to(rows_, best_.impulse);
-  for (const BodyId body : problem.velocity.indices()) {
-    const Vec3<double> before = problem.velocity[body].template cast<double>();
-    problem.velocity[body] = rows_.velocity_of(body, before, center_.u()).template cast<Real>();
-  }
+SolveReport NewtonSolver<Real>::solve_part(Part& part, VelocityProblem<Real>& problem) {
+  if constexpr (std::is_same_v<Real, double>)
+    if (is_whole(part)) return part.solver->solve(problem);
+  const SolveReport report = part.solver->solve(part.island.problem);
+  part.island.give(problem);
+  return report;
 }
 
+/// Islands of before keep their solvers.
 template <Scalar Real>
-double NewtonSolver<Real>::goal() const {
-  return std::max(goal_of_tolerance * tolerance(), rounding());
-}
-
-template <Scalar Real>
-double NewtonSolver<Real>::rounding() const {
-  return rounding_in<double>(rows_.scale(), center_.size(), roundings_of_impulses);
-}
-
-template <Scalar Real>
-void NewtonSolver<Real>::answer(const VelocityProblem<double>& problem, bool again) {
-  const bool keeps_rows = again && rows_.begin_again(problem);
-  if (!keeps_rows) {
-    rows_.begin(problem);
-    factors_.begin();
-  }
-  interior_.clear();
-  inside_.clear();
-  systems_ = 0;
-  sweeps_ = sweeps_of_a_look;
-  if (keeps_rows && last_is_answer()) return;
-  best_.impulse = problem.impulse;
-  // Where nothing moves and no row asks for anything, no impulses are the answer, and R_E has no scale.
-  const bool rests = settings_.iterations > 0 && rows_.scale() == 0;
-  if (rests) best_.impulse.assign(best_.impulse.size(), 0.0);
-  center_.go_to(rows_, best_.impulse);
-  best_.residual = std::numeric_limits<double>::infinity();
-  note_center();
-  // Nothing can be said of what is no number.
-  const double good_start = std::max(goal(), rounding_in<Real>(rows_.scale(), center_.size(), 1));
-  if (settings_.iterations > 0 && residual_ > good_start && std::isfinite(residual_)) approach(problem);
-}
-
-/// Whether what it gave before answers the rows as they are now.
-template <Scalar Real>
-bool NewtonSolver<Real>::last_is_answer() {
-  if (settings_.iterations == 0 || rows_.scale() == 0) return false;
-  center_.stay(rows_);
-  best_.residual = std::numeric_limits<double>::infinity();
-  note_center();
-  return residual_ <= goal();
-}
-
-template <Scalar Real>
-void NewtonSolver<Real>::note_center() {
-  const double error = center_.error();
-  residual_ = error == 0 ? 0 : error / rows_.scale();
-  if (!(residual_ < best_.residual)) return;
-  best_.residual = residual_;
-  rows_.copy_impulses(center_.x(), best_.impulse);
-}
-
-/// The best impulses so far after some sweeps: what Newton's method finds easier to begin with.
-template <Scalar Real>
-void NewtonSolver<Real>::sweep(const VelocityProblem<double>& problem, int sweeps) {
-  swept_ = problem;
-  swept_.impulse = best_.impulse;
-  AcceleratedProjectedGaussSeidel<double>({.iterations = sweeps}).solve(swept_);
-  sweeps_ += sweeps;
-  center_.go_to(rows_, swept_.impulse);
-  note_center();
-}
-
-template <Scalar Real>
-void NewtonSolver<Real>::approach(const VelocityProblem<double>& problem) {
-  double softness = warm_softness;
-  if (factors_.are_for(rows_) && factors_.softness() > 0) softness = std::min(softness, factors_.softness());
-  int failures = 0, idle = 0, sweeps = first_sweeps;
-  while (best_.residual > goal() && failures < most_failures) {
-    const double before = best_.residual;
-    map_.soften(softness);
-    const bool is_solved = solve_softened(failures == 0 ? 1 : settings_.iterations);
-    center_.go_to(rows_, map_.x(), map_.response());
-    note_center();
-    if (is_solved) {
-      if (best_.residual <= good_progress * before) continue;
-      go_on();
-      if (best_.residual <= good_progress * before) continue;
-      const bool stands_still = !(best_.residual <= least_progress * before);
-      idle = stands_still && softness <= stiffest ? idle + 1 : 0;
-      if (idle == most_idle) break;
-      softness = std::max(softness / softness_step, stiffest);
-      continue;
-    }
-    if (best_.residual <= enough()) break;
-    // What was found is kept where it is nearer. Where the interior does not lead there, and after many
-    // failures, sweeps do.
-    if (failures == 0) follow_interior();
-    if (failures % failures_before_sweeps == 0) {
-      if (best_.residual > enough()) {
-        sweep(problem, sweeps);
-        sweeps *= 2;
-        softness = cold_softness;
-      }
+void NewtonSolver<Real>::split(const VelocityProblem<Real>& problem) {
+  islands_.find(problem);
+  next_.clear();
+  auto old = parts_.begin();
+  for (int i = 0; i < islands_.count(); ++i) {
+    const BodyId lowest = islands_.lowest_body(i);
+    while (old != parts_.end() && old->lowest < lowest) ++old;
+    if (old != parts_.end() && old->lowest == lowest) {
+      next_.push_back(std::move(*old++));
     } else {
-      center_.go_to(rows_, best_.impulse);
-      note_center();
-      softness = std::min(softness * softness_step, softest);
+      constexpr double epsilon = std::numeric_limits<Real>::epsilon();
+      next_.push_back({lowest, {}, std::make_unique<IslandNewton>(settings_, epsilon)});
     }
-    failures += 1;
-    if (systems_ >= settings_.iterations) break;
+    IslandProblem<Real>& island = next_.back().island;
+    if (std::is_same_v<Real, double> && islands_.are_one()) {
+      island.rows.clear();
+    } else {
+      islands_.copy(i, problem, island);
+    }
   }
+  parts_.swap(next_);
 }
 
-/// Past the last step; back to the best impulses where that is not better.
 template <Scalar Real>
-void NewtonSolver<Real>::go_on() {
-  center_.go_on(rows_, [this](int i) { return map_.is_held(i); });
-  note_center();
-  if (residual_ == best_.residual) return;
-  center_.go_to(rows_, best_.impulse);
-  note_center();
-}
-
-/// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
-template <Scalar Real>
-bool NewtonSolver<Real>::solve_softened(int most_systems) {
-  const double small = std::max(1e-2 * residual_, 1e-1 * goal()) * rows_.scale();
-  const int last_system = std::min(settings_.iterations, systems_ + most_systems);
-  return steps_.solve(at(), small, steps_of_one_problem,
-                      [&] { return take_kept_step() || (systems_ < last_system && take_new_step()); });
-}
-
-/// A step by factors of an earlier system, or of an earlier solve; false: they do not help, and nothing has
-/// changed.
-template <Scalar Real>
-bool NewtonSolver<Real>::take_kept_step() {
-  if (!factors_.are_for(rows_) || factors_.softness() != map_.softness()) return false;
-  sweeps_ += sweeps_of_a_kept_step;
-  change_ = map_.value();
-  factors_.solve(change_);
-  return steps_.leap(at(), change_, kept_progress);
-}
-
-/// A step by factors of the moment, shortened until it helps; false: it does not.
-template <Scalar Real>
-bool NewtonSolver<Real>::take_new_step() {
-  Deadline::go_on();
-  ++systems_;
-  factors_.factorize(rows_, map_, map_.softness());
-  change_ = map_.value();
-  factors_.solve(change_);
-  return change_.allFinite() && steps_.shorten(at(), change_, least_part);
+std::size_t NewtonSolver<Real>::memory() const {
+  std::size_t bytes = 0;
+  for (const Part& part : parts_) bytes += part.solver->memory() + part.island.memory();
+  return bytes;
 }
 
 template class NewtonSolver<float>;

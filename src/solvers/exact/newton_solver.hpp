@@ -1,60 +1,34 @@
-// Floor 4. Newton's method as a solver for steps: warm, in double, on sparse factors.
+// Floor 4. Newton's method as a solver for steps.
 #pragma once
 
-#include <algorithm>
+#include <memory>
 
-#include "solvers/exact/interior_rows.hpp"
-#include "solvers/exact/newton_steps.hpp"
-#include "solvers/exact/slope_factors.hpp"
+#include "solvers/exact/island_newton.hpp"
+#include "solvers/islands.hpp"
 #include "solvers/solver.hpp"
-#include "math/list.hpp"
 
 namespace cairn {
 
-/// Sees the rows, and solves all of them at once, by the proximal steps of newton.hpp: rows a little soft
-/// around the impulses of the moment, each such problem by Newton's method, one sparse linear system after
-/// the other. It differs from newton() in five things. It begins from the warm start, at a softness from
-/// which what changes little needs one system at most. Where one is not the answer, rows change sides, and it
-/// goes through the interior of all bounds (interior_rows.hpp), where they are of that kind: after an impact,
-/// or where friction slides at many points, steps of Newton's method stop at each kink. That way ends far
-/// inside the bounds of all rows that need not be at theirs, so that what is left over moves no row across in
-/// the steps that follow. Only where it fails do sweeps of accelerated PGS lead on.
-/// It computes in double (for float too), on factors in blocks (block_factors.hpp). It keeps factors from
-/// solve to solve: an old system gives a step for a tenth of what a new one costs, and is asked first, for as
-/// long as each step leaves less than a third of the error (slope_factors.hpp). And it stops by the settings'
-/// tolerance, of which 1e-9 is enough for any scene, or where R_E falls no further.
-///
-/// A warm start within a hundredth of the tolerance is the answer. Where it has to solve at all, it goes on
-/// to that hundredth, if systems lead there without a failure: what is left over comes back in the next step,
-/// and an answer that is just good enough makes that one solve again. A row that is softer by epsilon answers
-/// what is left of its speed by an impulse of 1 / epsilon times that, and where that is not small beside its
-/// own, it changes sides. So a tolerance above 1e-7 is taken for 1e-7, a tenth of the first epsilon. What no
-/// impulse of type Real comes nearer to is an answer too. SolveReport::converged means the tolerance itself,
-/// as it was asked for.
-///
-/// Impulses that hardly move a body, such as the pull along a straight chain, change little in a proximal
-/// step, and alike in each. So where a step leaves most of R_E, it goes on along that step to the least error
-/// of the rows that are held: reduced rank extrapolation of order one (M. Mesina, 1977; R. P. Eddy, 1979).
+/// Solves all rows of an island at once, by Newton's method on sparse factors (island_newton.hpp), and each
+/// island by itself. So what rests keeps its factors and its answer, however much moves beside it, what is
+/// tiny is as exact as what is huge, and an island that is hard to solve makes no other one wait.
 ///
 /// Masses do not matter, nor does how far a load has to travel: what takes Gauss-Seidel 10^5 sweeps takes it
 /// the same few systems. For fixed bounds that rows can keep, it converges; with friction nothing is
-/// guaranteed. Where it has not converged it gives the impulses with the least R_E that it has seen, those of
-/// the warm start among them.
-///
-/// A problem with the number of the one before has its rows, scaled already. Where the answer of before is
-/// one to the new problem as well, it stays, whatever the warm start.
+/// guaranteed.
 ///
 /// The factors that it has kept change the way to the answer: a solver that has solved other problems may
 /// differ from a new one within the tolerance, and by anything where neither has converged. The same sequence
 /// of problems gives the same bits.
 ///
-/// settings.iterations is the number of new systems, at most; 0: the warm start is applied. Order,
-/// relaxation, patience and time_budget mean nothing to it. Cost of a new system: for a stack or a chain that
-/// of 5 sweeps of SequentialImpulse, for 50 x 50 bodies in a grid that of 40. SolveReport::iterations counts
-/// those; extra_sweeps counts sweeps, and two of them for a step by kept factors and three to look at the
-/// warm start, which is what they take. Memory: that of the factors, and some 40 numbers a row. Once it has
-/// been as large, a solve in double without sweeps and a new order allocates nothing. Observers see the end
-/// alone.
+/// settings.iterations is the number of new systems of an island, at most; 0: the warm start is applied.
+/// Order, relaxation, patience and time_budget mean nothing to it. Cost of a new system: for a stack or a
+/// chain that of 5 sweeps of SequentialImpulse, for 50 x 50 bodies in a grid that of 40.
+/// SolveReport::iterations counts those, and extra_sweeps counts sweeps, two of them for a step by kept
+/// factors and three to look at the warm start, which is what they take; both in the mean over all rows, and
+/// rounded up. SolveReport::residual is that of the worst island. Memory: that of the factors, and some 40
+/// numbers a row. Once it has been as large, a solve in double without sweeps and a new order allocates
+/// nothing. Observers see the end alone.
 template <Scalar Real = double>
 class NewtonSolver final : public Solver<Real> {
  public:
@@ -62,57 +36,27 @@ class NewtonSolver final : public Solver<Real> {
   explicit NewtonSolver(const SolverSettings& settings = {});
 
   std::string name() const override { return "Newton"; }
-  /// @throws std::length_error for more pairs of bodies than BlockFactors holds: before anything is changed.
+  /// @throws std::length_error for more pairs of bodies in an island than BlockFactors holds.
   SolveReport solve(VelocityProblem<Real>& problem, SolveObserver<Real>* observer = nullptr) override;
-  std::size_t memory() const override {
-    const Eigen::Index numbers = center_.numbers() + map_.numbers() + steps_.numbers() + change_.size();
-    return rows_.memory() + interior_.memory() + factors_.memory() + best_.impulse.bytes() + inside_.bytes() +
-           static_cast<std::size_t>(numbers) * sizeof(double);
-  }
+  std::size_t memory() const override;
 
  private:
-  /// The impulses with the least R_E so far.
-  struct Best {
-    PerRow<double> impulse;  // [N s]
-    double residual = 0;
+  /// One island, and what is kept of it.
+  struct Part {
+    BodyId lowest = {};                    // its lowest body: by that it is known in the next problem
+    IslandProblem<Real> island = {};       // empty where it is the whole problem
+    std::unique_ptr<IslandNewton> solver;  // of it
   };
 
-  void answer(const VelocityProblem<double>& problem, bool again);
-  SolveReport solve_unobserved(VelocityProblem<Real>& problem);
-  void give_answer(VelocityProblem<Real>& problem);
-  void approach(const VelocityProblem<double>& problem);
-  void sweep(const VelocityProblem<double>& problem, int sweeps);
-  double tolerance() const { return std::min(settings_.tolerance, loosest_tolerance); }
-  double enough() const { return std::max(tolerance(), rounding()); }
-  double goal() const;
-  double rounding() const;
-  void go_on();
-  bool solve_softened(int most_systems);
-  bool take_kept_step();
-  bool take_new_step();
-  void follow_interior();
-  double take_interior_step();
-  NewtonSteps<double>::Place at() { return {rows_, center_, map_}; }
-  void note_center();
-  bool last_is_answer();
-
-  static constexpr double loosest_tolerance = 1e-7;
+  void split(const VelocityProblem<Real>& problem);
+  SolveReport solve_part(Part& part, VelocityProblem<Real>& problem);
+  static bool is_whole(const Part& part) { return part.island.rows.empty(); }
 
   SolverSettings settings_;
-  ScaledRows<double> rows_;
-  ProximalCenter<double> center_;
-  ProximalMap<double> map_;
-  NewtonSteps<double> steps_;
-  InteriorRows interior_;
-  SlopeFactors factors_;           // of the last system, in this solve or in an earlier one
-  Vector<double> change_;          // a step of Newton's method
-  double residual_ = 0;            // R_E at the centre
-  PerRow<double> inside_;          // [N s] impulses on the way through the interior
-  VelocityProblem<double> swept_;  // a copy for sweeps
-  Best best_;
-  std::uint64_t solved_ = 0;  // the number of the problem whose rows it has
-  int systems_ = 0;           // solved by factors of their own
-  int sweeps_ = 0;            // done between them, or what takes as long
+  Islands islands_;
+  List<Part> parts_;  // by their lowest bodies
+  List<Part> next_;
+  std::uint64_t solved_ = 0;  // the number of the problem that parts_ are of
 };
 
 }  // namespace cairn

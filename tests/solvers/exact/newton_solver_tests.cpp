@@ -279,3 +279,19 @@ TEST_CASE("where all rests and no row asks for anything, Newton's method drops t
   for (const double impulse : problem.impulse) CHECK(impulse == 0);
   for (const Vec3<double>& v : problem.velocity) CHECK(v.isZero(0));
 }
+
+TEST_CASE("the farther the warm start is off, the softer rows begin: a push need not move a pile's contacts") {
+  // A stack at rest, whose answer is pushed off by so much of its scale: one system leads back.
+  VelocityProblem<double> solved = loaded_stack(30, 100);
+  const VelocityProblem<double> start = solved;
+  NewtonSolver<double>({.iterations = 30, .tolerance = 1e-9}).solve(solved);
+  for (const double off : {1e-7, 1e-5, 1e-3}) {
+    CAPTURE(off);
+    VelocityProblem<double> near = start;
+    near.impulse = solved.impulse;
+    near.impulse[15] += off * exact_scale(start) / std::sqrt(inverse_effective_mass(start, start.rows[15]));
+    const SolveReport report = NewtonSolver<double>({.iterations = 30, .tolerance = 1e-9}).solve(near);
+    CHECK(report.converged);
+    CHECK(report.iterations == 1);
+  }
+}

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "math/deadline.hpp"
-#include "solvers/exact/newton_solver.hpp"
+#include "solvers/exact/island_newton.hpp"
 
 namespace cairn {
 
@@ -17,8 +17,7 @@ constexpr double least_share = 1e-3;   // below it, bounds are in the way
 }  // namespace
 
 /// From the best impulses so far, and from farther inside where bounds are in the way.
-template <Scalar Real>
-void NewtonSolver<Real>::follow_interior() {
+void IslandNewton::follow_interior() {
   double factor = 1;
   for (int attempt = 0; attempt < most_attempts; ++attempt, factor *= 10) {
     center_.go_to(rows_, best_.impulse);
@@ -35,8 +34,7 @@ void NewtonSolver<Real>::follow_interior() {
 }
 
 /// As Mehrotra does: a step for 0 shows how far the products may be asked to fall, and their second order.
-template <Scalar Real>
-double NewtonSolver<Real>::take_interior_step() {
+double IslandNewton::take_interior_step() {
   Deadline::go_on();
   interior_.linearize(rows_, center_.error_of_a_row());
   ++systems_;
@@ -58,8 +56,5 @@ double NewtonSolver<Real>::take_interior_step() {
   note_center();
   return share;
 }
-
-template void NewtonSolver<float>::follow_interior();
-template void NewtonSolver<double>::follow_interior();
 
 }  // namespace cairn
