@@ -31,9 +31,6 @@ const std::map<std::string, std::pair<int, int>> larger_classes = {
     {"BodySpec", {0, 18}},
     // Reads keys of every type.
     {"SceneTable", {15, 4}},
-    // To be taken apart.
-    {"Scene", {20, 7}},
-    {"SceneBuilder", {18, 9}},
 };
 
 /// A line without its comment, and without what lies inside <>, () and {} but for the first (.

@@ -28,7 +28,7 @@ Scene pulley_scene(const PulleySettings& settings) {
     ends[i] = {.body = body, .parts = parts[i], .top = wheel_height};
     length += parts[i] * (wheel_height - y[i]);
   }
-  scene.add_joint(std::make_shared<const RopeOverWheels>(ends, length));
+  scene.join(std::make_shared<const RopeOverWheels>(ends, length));
   return scene;
 }
 

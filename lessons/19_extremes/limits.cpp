@@ -115,7 +115,7 @@ Guarded try_not_a_number() {
   const BodyId bystander = scene.add({.shapes = {circle(0.5)}, .position = {5, 1}});
   const BodyId first = scene.add({.shapes = {circle(0.5)}, .position = {0, 1}});
   const BodyId second = scene.add({.shapes = {circle(0.5)}, .position = {2, 1}});
-  scene.add_joint(std::make_shared<const BrokenJoint>(first, second));
+  scene.join(std::make_shared<const BrokenJoint>(first, second));
   World world(scene);
   SequentialImpulse<double> solver;
   const StepReport report = world.step(solver);

@@ -70,7 +70,7 @@ SmallWorld pulled_back(const WallSettings& settings) {
   Scene scene(weightless(settings.beta));
   const BodyId body = scene.add({.shapes = {box(0.4, 0.4)}, .mass = 1});
   scene.join<RevoluteJoint>({.a = ground, .b = body});
-  scene.displace(body, {pin_error, 0});
+  displace(scene, body, {pin_error, 0});
   SmallWorld world{
       .edge = {.name = fmt::format("pin, β = {:g}", settings.beta), .quantity = "the first error"},
       .scene = std::move(scene)};
@@ -147,7 +147,7 @@ Scene two_pins_scene() {
   Scene scene(weightless(pins_beta));
   const BodyId body = scene.add({.shapes = {box(0.3, 0.3)}, .mass = 1});
   scene.join<RevoluteJoint>({.a = ground, .b = body});
-  scene.displace(body, {pins_apart, 0});
+  displace(scene, body, {pins_apart, 0});
   scene.join<RevoluteJoint>({.a = ground, .b = body, .anchor = {pins_apart, 0}});
   return scene;
 }

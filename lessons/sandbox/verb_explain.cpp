@@ -65,7 +65,7 @@ SceneCounts counts_of(const Scene& scene, const World<double>& after, int contac
     kind += 1;
   }
   counts.events = scene.events();
-  counts.apart = scene.apart().size();
+  counts.apart = scene.joints().apart().size();
   counts.contacts = contacts;
   counts.rows = problem.row_count();
   counts.problem_bytes = problem.rows.bytes() + problem.blocks.bytes() + problem.extra_terms.bytes() +
@@ -114,7 +114,7 @@ std::string apart_text(const SceneEntry& entry, int count) {
   List<std::string> pairs;
   const Scene scene = entry.make();
   for (int i = 0; i < std::min(count, most); ++i) {
-    const auto& [a, b] = scene.apart()[i];
+    const auto& [a, b] = scene.joints().apart()[i];
     pairs.push_back(entry.body_names[a] + " and " + entry.body_names[b]);
   }
   const std::string rest = count > most ? fmt::format(", and {} pairs more", count - most) : "";

@@ -176,7 +176,7 @@ Scene pinned_twice() {
   Scene scene;
   const BodyId ball = scene.add({.shapes = {circle(0.2)}, .mass = 1});
   scene.join<RevoluteJoint>({.a = ground, .b = ball, .anchor = {0, 0}});
-  scene.displace(ball, {0.5, 0});
+  displace(scene, ball, {0.5, 0});
   scene.join<RevoluteJoint>({.a = ground, .b = ball, .anchor = {0.5, 0}});
   return scene;
 }

@@ -94,19 +94,13 @@ void check_event(const SceneEvent& event) {
           "a removal or an impulse, as its joints have no motor", "a motor");
 }
 
-List<JointId> joints_of(const Scene& scene) {
-  List<JointId> ids;
-  for (int i = 0; i < scene.joints().size(); ++i) ids.push_back(scene.joint_id(i));
-  return ids;
-}
-
 }  // namespace
 
 struct Box2DWorld::Simulation {
   Simulation(const Scene& the_scene, const Box2DSettings& the_settings);
   void add_bodies();
   void do_event(const SceneEvent& event);
-  void drop_joints(const List<JointId>& before);
+  void drop_joints(const SceneJoints& before);
   SnapshotBody body(BodyId id) const;
   SnapshotJoint joint(int index, const PerBody<Pose<double>>& poses) const;
 
@@ -131,7 +125,7 @@ Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& 
   world.SetContinuousPhysics(settings.continuous);
   add_bodies();
   for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
-    joints.push_back(create_joint(world, *joint, bodies, scene.apart()));
+    joints.push_back(create_joint(world, *joint, bodies, scene.joints().apart()));
   }
 }
 
@@ -161,11 +155,10 @@ void Box2DWorld::Simulation::add_bodies() {
 }
 
 /// Destroys the joints that the scene had before and has no longer.
-void Box2DWorld::Simulation::drop_joints(const List<JointId>& before) {
-  const List<JointId> now = joints_of(scene);
+void Box2DWorld::Simulation::drop_joints(const SceneJoints& before) {
   List<b2Joint*> kept;
   for (int i = 0; i < before.size(); ++i) {
-    if (std::binary_search(now.begin(), now.end(), before[i])) {
+    if (scene.joints().number_of(before.id(i))) {
       kept.push_back(joints[i]);
     } else {
       world.DestroyJoint(joints[i]);
@@ -226,7 +219,7 @@ bool Box2DWorld::do_events() {
   const double rounded = 1 + 2 * std::numeric_limits<double>::epsilon();
   const double until = rounded * simulation.steps * simulation.scene.settings().dt;
   const List<SceneEvent> events = simulation.scene.events();
-  const List<JointId> before = joints_of(simulation.scene);
+  const SceneJoints before = simulation.scene.joints();
   if (!simulation.scene.do_events(until)) return false;
   simulation.drop_joints(before);
   for (const SceneEvent& event : events) {
@@ -252,7 +245,7 @@ Snapshot Box2DWorld::snapshot() const {
                   .dt = settings.dt,
                   .gravity = settings.gravity,
                   .contacts = simulation.contacts.contacts(simulation.colliders),
-                  .apart = simulation.scene.apart()};
+                  .apart = simulation.scene.joints().apart()};
   PerBody<Pose<double>> poses;
   for (const BodyId id : simulation.bodies.indices()) {
     result.bodies.push_back(simulation.body(id));

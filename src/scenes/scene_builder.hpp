@@ -1,41 +1,31 @@
-// Floor 8. A scene under construction: bodies by name, and joints that wait for them.
+// Floor 8. A scene under construction: bodies, and joints that wait for them.
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
-#include <variant>
 
 #include "constraints/softness.hpp"
+#include "math/list.hpp"
 #include "scenes/scene_list.hpp"
+#include "scenes/scene_names.hpp"
 #include "scenes/scene_table.hpp"
 #include "world/scene.hpp"
-#include "math/list.hpp"
 
 namespace cairn {
 
 /// Bodies come at once, in the order of the file; joints when all bodies are there, in the order of the file.
 class SceneBuilder {
  public:
-  explicit SceneBuilder(const SceneSettings& settings) : scene_(settings), names_({"ground"}) {}
+  explicit SceneBuilder(const SceneSettings& settings) : scene_(settings) {}
 
-  /// The name that a table gives, or else `fallback`. @throws std::invalid_argument for one that is taken.
-  std::string claim_name(const SceneTable& table, const std::string& fallback);
+  /// As SceneNames::claim.
+  std::string claim_name(const SceneTable& table, const std::string& fallback) {
+    return names_.claim(table, fallback);
+  }
   /// @throws std::invalid_argument for what Scene::add refuses, and beyond 20,000 bodies.
   BodyId add(const SceneTable& table, const BodySpec& spec, const std::string& name);
-  /// The body that a key names; a refusal names the nearest one.
-  BodyId body(const SceneTable& table, const std::string& key) const;
-  /// The same, or with "row.*" all bodies of a row.
-  List<BodyId> bodies(const SceneTable& table, const std::string& key) const;
-  /// The joint that a key names; a refusal names the nearest one.
-  JointId joint(const SceneTable& table, const std::string& key) const;
-  /// Whichever of them a key names.
-  std::variant<BodyId, JointId> body_or_joint(const SceneTable& table, const std::string& key) const;
-  Vec2<double> center(BodyId body) const { return scene_.bodies()[body].pose.position; }
-  double mass(BodyId body) const { return scene_.bodies()[body].mass; }
   /// Once all bodies are there, for it is as wide as they want it.
   void add_ground(const SceneTable& table);
 
@@ -44,8 +34,8 @@ class SceneBuilder {
   /// Moves a body as its table says once all joints are there, so that they begin with an error.
   void displace(const SceneTable& table, BodyId body);
   void finish();
-  /// What is to happen, once finish() was called. @throws std::invalid_argument as Scene::add_event.
-  void add_event(const SceneTable& table, const SceneEvent& event);
+  /// What is to happen, once finish() was called. @throws std::invalid_argument as Scene::add.
+  void add(const SceneTable& table, const SceneEvent& event);
   /// Nothing else has the name.
   template <typename Joint>
   void join(const SceneTable& table, const std::string& name, const typename Joint::Spec& spec,
@@ -56,16 +46,16 @@ class SceneBuilder {
     table.guard([&] {
       const auto joint = std::make_shared<const Joint>(spec, poses_);
       require_movable(table, *joint);
-      const JointId id = scene_.add_joint(joint, collision);
-      if (table.has("frequency")) scene_.set_joint_soft(id, spring_of(table));
-      joint_ids_.emplace(name, id);
+      const JointId id = scene_.join(joint, collision);
+      if (table.has("frequency")) scene_.change(id, spring_of(table));
+      names_.add(name, id);
     });
   }
 
   const Scene& scene() const { return scene_; }
   /// [m] scene_length() for joints, and for what comes once all bodies are there.
   double length() const { return length_; }
-  const PerBody<std::string>& names() const { return names_; }
+  const SceneNames& names() const { return names_; }
   /// Where the bodies were when the joints were made; none before finish().
   const PerBody<Pose<double>>& poses() const { return poses_; }
 
@@ -74,17 +64,12 @@ class SceneBuilder {
   // What constraints refuse by the ids of bodies, by their names.
   void require_different(const SceneTable& table, const List<BodyId>& bodies) const;
   void require_movable(const SceneTable& table, const Constraint& joint) const;
-  std::string listed(const List<BodyId>& bodies) const;
-  List<std::string> joint_names() const;
   // Of the group give. @throws std::invalid_argument for a softness beside it.
   SwingSoftness spring_of(const SceneTable& table) const;
 
   Scene scene_;
   double length_ = 1;  // [m]
-  PerBody<std::string> names_;
-  std::map<std::string, BodyId> ids_ = {{"ground", ground}};
-  std::map<std::string, JointId> joint_ids_ = {};
-  std::set<std::string> claimed_ = {"ground"};
+  SceneNames names_ = {};
   List<std::function<void()>> waiting_ = {};
   List<std::function<void()>> last_ = {};  // behind all joints
   PerBody<Pose<double>> poses_ = {};       // once all bodies are there

@@ -45,14 +45,14 @@ class EventReader {
                                : kind == "push" ? push(table)
                                                 : motor(table);
     const SceneEvent event{.time = table.number("time"), .action = action};
-    builder_.add_event(table, event);
-    then_.add_event({.time = 0, .action = action});
+    builder_.add(table, event);
+    then_.add({.time = 0, .action = action});
     then_.do_events(0);
   }
 
  private:
   SceneAction removal(const SceneTable& table) const {
-    const std::variant<BodyId, JointId> found = builder_.body_or_joint(table, "remove");
+    const std::variant<BodyId, JointId> found = builder_.names().body_or_joint(table, "remove");
     if (std::holds_alternative<JointId>(found)) return RemoveJoint{.joint = joint(table, "remove")};
     const BodyId body = standing_body(table, "remove");
     if (body == ground) table.refuse("remove", "the name of a body other than the ground, or of a joint");
@@ -71,7 +71,7 @@ class EventReader {
 
   SceneAction motor(const SceneTable& table) {
     const JointId id = joint(table, "motor");
-    const Constraint& joint = *then_.joints()[*number_of(id)];
+    const Constraint& joint = *then_.joints()[*then_.joints().number_of(id)];
     if (joint.motor()) motors_[id] = *joint.motor();
     if (!motors_.contains(id)) table.refuse("motor", "the name of a joint with a motor");
     const bool turns = joint.name() == "revolute";
@@ -87,23 +87,15 @@ class EventReader {
   }
 
   BodyId standing_body(const SceneTable& table, const std::string& key) const {
-    const BodyId body = builder_.body(table, key);
+    const BodyId body = builder_.names().body(table, key);
     if (then_.bodies()[body].removed) refuse_removed(table, key);
     return body;
   }
 
   JointId joint(const SceneTable& table, const std::string& key) const {
-    const JointId id = builder_.joint(table, key);
-    if (!number_of(id)) refuse_removed(table, key);
+    const JointId id = builder_.names().joint(table, key);
+    if (!then_.joints().number_of(id)) refuse_removed(table, key);
     return id;
-  }
-
-  /// Where in joints() it is then; nothing: it is no longer there.
-  std::optional<int> number_of(JointId id) const {
-    for (int i = 0; i < then_.joints().size(); ++i) {
-      if (then_.joint_id(i) == id) return i;
-    }
-    return std::nullopt;
   }
 
   [[noreturn]] void refuse_removed(const SceneTable& table, const std::string& key) const {
@@ -141,7 +133,7 @@ List<ExpectedPlace> expected_places(const SceneBuilder& builder, const SceneTabl
     Scene end = builder.scene();
     end.do_events(std::numeric_limits<double>::infinity());
     for (const SceneTable& table : bodies) {
-      const BodyId body = builder.body(table, "name");
+      const BodyId body = builder.names().body(table, "name");
       if (end.bodies()[body].removed) table.refuse("name", "the name of a body that no event removes");
       places.push_back({.body = body, .position = table.point("position"), .within = table.number("within")});
     }

@@ -114,7 +114,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   entry.expectations.places = expected_places(builder, table);
   entry.setting = recommended_of(table, builder.scene());
   entry.camera = camera_of(table);
-  entry.body_names = builder.names();
+  entry.body_names = builder.names().of_bodies();
   entry.make = [scene = builder.scene()] { return scene; };
   Fingerprint fingerprint;
   fingerprint.add(std::string_view(text));

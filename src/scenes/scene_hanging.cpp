@@ -93,7 +93,7 @@ void join_chain(SceneBuilder& builder, const SceneTable& table, const ChainPlan&
 /// Joins bodies `links` in a row, and its ends.
 void join_chain_bodies(SceneBuilder& builder, const SceneTable& table, const ChainPlan& plan,
                        const List<BodyId>& links) {
-  BodyId before = builder.body(table, "a");
+  BodyId before = builder.names().body(table, "a");
   Vec2<double> anchor = plan.from;
   for (int i = 0; i < plan.n; ++i) {
     const BodyId next = links[i];
@@ -106,8 +106,8 @@ void join_chain_bodies(SceneBuilder& builder, const SceneTable& table, const Cha
   if (!plan.is_fastened) return;
   const Vec2<double> end =
       table.has("to") ? table.point("to") : Vec2<double>(plan.from + plan.n * plan.link * plan.along);
-  join_chain(builder, table, plan, plan.n, before, builder.body(table, "b"), plan.meets() ? end : anchor,
-             end);
+  join_chain(builder, table, plan, plan.n, before, builder.names().body(table, "b"),
+             plan.meets() ? end : anchor, end);
 }
 
 void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& plan, BodyId last,
@@ -118,7 +118,7 @@ void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& pl
   spec.shapes = {circle(radius)};
   spec.position = end + radius * plan.along;
   spec.angle = plan.angle;
-  if (bob.has("ratio")) spec.mass = bob.number("ratio") * builder.mass(last);
+  if (bob.has("ratio")) spec.mass = bob.number("ratio") * builder.scene().bodies()[last].mass;
   const BodyId body = builder.add(bob, spec, name);
   builder.later([&builder, bob, joint = chain_joint_name(plan, plan.n), last, body, end] {
     builder.join<RevoluteJoint>(bob, joint, {.a = last, .b = body, .anchor = end});

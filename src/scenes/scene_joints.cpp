@@ -29,7 +29,7 @@ std::optional<double> number_if_given(const SceneTable& table, const std::string
 
 Vec2<double> anchor_or_center(const SceneBuilder& builder, const SceneTable& table, const std::string& key,
                               BodyId body) {
-  return table.has(key) ? table.point(key) : builder.center(body);
+  return table.has(key) ? table.point(key) : builder.scene().bodies()[body].pose.position;
 }
 
 /// [m] How far off a rope or a limit still has a row: half of the length of the bodies, where that is more
@@ -111,14 +111,15 @@ void join_gear(const ScenePair& pair) {
   const SceneTable& table = pair.table;
   pair.join<GearJoint>({.a = pair.a,
                         .b = pair.b,
-                        .c = pair.builder.body(table, "carrier"),
+                        .c = pair.builder.names().body(table, "carrier"),
                         .radius_a = table.number("radius_a"),
                         .radius_b = table.number("radius_b"),
                         .mesh = meshes[table.word("mesh")]});
 }
 
 void join_differential(const ScenePair& pair) {
-  pair.join<DifferentialJoint>({.a = pair.a, .b = pair.b, .c = pair.builder.body(pair.table, "case")});
+  pair.join<DifferentialJoint>(
+      {.a = pair.a, .b = pair.b, .c = pair.builder.names().body(pair.table, "case")});
 }
 
 void join_drag(const ScenePair& pair) {
@@ -145,8 +146,9 @@ void join_friction(const ScenePair& pair) {
 void join_pulley(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   PulleyJoint::Spec spec;
   for (const SceneTable& end : table.tables("ends")) {
-    const BodyId body = builder.body(end, "body"), carrier = builder.body(end, "carrier");
-    if (carrier == body) end.refuse("carrier", "another body than the end's", builder.names()[carrier]);
+    const BodyId body = builder.names().body(end, "body"), carrier = builder.names().body(end, "carrier");
+    if (carrier == body)
+      end.refuse("carrier", "another body than the end's", builder.names().of_bodies()[carrier]);
     const bool on_drum = end.word("kind") == 1;
     if (on_drum && carrier == ground) end.refuse("carrier", "a body that can turn for a drum", "ground");
     spec.ends.push_back({.body = body,
@@ -174,10 +176,10 @@ void join_from(SceneBuilder& builder, const SceneTable& table, const std::string
   if (table.has("damping_ratio") && !table.has("frequency"))
     table.refuse("damping_ratio", "left out, or else given beside a frequency");
   if (table.kind() == "pulley") return join_pulley(builder, table, name);
-  const BodyId a = table.kind() == "drag" ? ground : builder.body(table, "a");
+  const BodyId a = table.kind() == "drag" ? ground : builder.names().body(table, "a");
   const bool is_row = table.text("b").ends_with(".*");
   int count = 0;
-  for (const BodyId b : builder.bodies(table, "b")) {
+  for (const BodyId b : builder.names().bodies(table, "b")) {
     const std::string number = is_row ? "." + std::to_string(++count) : "";
     joiners.at(table.kind())({.builder = builder, .table = table, .name = name + number, .a = a, .b = b});
   }

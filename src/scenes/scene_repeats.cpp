@@ -45,7 +45,8 @@ enum class RowJoint { none, pin, weld, rod };
 void join_neighbours(SceneBuilder& builder, const SceneTable& table, const std::string& name, BodyId a,
                      BodyId b) {
   const auto kind = static_cast<RowJoint>(table.word("joint"));
-  const Vec2<double> from = builder.center(a), to = builder.center(b), halfway = (from + to) / 2;
+  const PerBody<SceneBody>& bodies = builder.scene().bodies();
+  const Vec2<double> from = bodies[a].pose.position, to = bodies[b].pose.position, halfway = (from + to) / 2;
   if (kind == RowJoint::pin)
     return builder.join<RevoluteJoint>(table, name, {.a = a, .b = b, .anchor = halfway});
   if (kind == RowJoint::weld)

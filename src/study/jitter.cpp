@@ -25,7 +25,7 @@ Scene jittered(const Scene& scene, double size, std::uint64_t seed) {
     if (scene.bodies()[body].spec.type != BodyType::dynamic) continue;
     const double x = uniform_jitter(generator);
     const double y = uniform_jitter(generator);
-    result.displace({body}, {size * x, size * y});
+    displace(result, {body}, {size * x, size * y});
   }
   return result;
 }

@@ -65,7 +65,7 @@ class ColliderMaker {
 class Groups {
  public:
   explicit Groups(const Scene& scene) : alone_(scene.bodies().size(), 0) {
-    for (const auto& [a, b] : scene.apart()) alone_[a] = alone_[b] = 1;
+    for (const auto& [a, b] : scene.joints().apart()) alone_[a] = alone_[b] = 1;
   }
   int of(BodyId id, const BodySpec& spec) {
     if (spec.sensor || alone_[id] || spec.type != BodyType::static_body) return -1 - id.index;

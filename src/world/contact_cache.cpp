@@ -100,8 +100,8 @@ void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> 
     if (!before.graph_.keeps_manifolds()) continue;
     manifolds.push_back(before.graph_.manifold(near.contact));
     manifolds.back().is_found = manifolds.back().is_found &&
-                              has_same_neighbours((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
-                              has_same_neighbours((*before.colliders_)[old.collider_b], (*colliders_)[b]);
+                                has_same_neighbours((*before.colliders_)[old.collider_a], (*colliders_)[a]) &&
+                                has_same_neighbours((*before.colliders_)[old.collider_b], (*colliders_)[b]);
   }
   graph_.begin_with(std::move(contacts), std::move(manifolds));
 }
@@ -111,7 +111,7 @@ template <Scalar Real>
 bool ContactCache<Real>::may_meet(const Scene& scene, int collider_a, int collider_b) const {
   const BodyId a = (*colliders_)[collider_a].body, b = (*colliders_)[collider_b].body;
   if (a == b || !may_touch(scene.bodies()[a].spec, scene.bodies()[b].spec)) return false;
-  const List<std::pair<BodyId, BodyId>>& apart = scene.apart();
+  const List<std::pair<BodyId, BodyId>>& apart = scene.joints().apart();
   return !std::binary_search(apart.begin(), apart.end(), std::pair<BodyId, BodyId>(std::minmax(a, b)));
 }
 

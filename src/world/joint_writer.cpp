@@ -2,6 +2,7 @@
 #include "world/joint_writer.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace cairn {
 
@@ -49,13 +50,16 @@ int JointWriter<Real>::write(const Substep<Real>& step, StabilizationPass pass,
     writing.rule = joint_rule(stabilization, pass, step.dt);
     writing.second_rule = joint_rule(stabilization, StabilizationPass::second, step.dt);
   };
-  use_spring(stabilization.joint_soft);
+  const SwingSoftness usual = stabilization.joint_soft;
+  use_spring(usual);
   int apart = 0;
   for (int i = 0; i < step.joint_count(); ++i) {
     const int first = next;
     if (!step.asleep(i)) {
-      if (!step.is_hand(i) && !(stabilization.joint_soft == step.scene.joint_soft(i)))
-        use_spring(step.scene.joint_soft(i));  // the hand has one of its own
+      if (!step.is_hand(i)) {  // the hand has one of its own
+        const SwingSoftness spring = step.scene.joints().soft(i).value_or(usual);
+        if (!(stabilization.joint_soft == spring)) use_spring(spring);
+      }
       const auto& before = impulses_[i];
       ProblemRows<Real> rows(writing, step.source(i), &step.joint(i), {before.rows.data(), before.count});
       step.joint(i).write_rows(at, rows);
@@ -101,11 +105,10 @@ void JointWriter<Real>::remember(const Substep<Real>& step, const VelocityProble
 
 template <Scalar Real>
 void JointWriter<Real>::carry_over(const JointWriter& before, const Scene& then, const Substep<Real>& step) {
-  int joint = 0;  // of those before; ids ascend
-  for (int i = 0; i < step.scene.joints().size(); ++i) {
-    while (joint < then.joints().size() && then.joint_id(joint) < step.scene.joint_id(i)) ++joint;
-    const bool is_old = joint < then.joints().size() && then.joint_id(joint) == step.scene.joint_id(i);
-    if (is_old) impulses_[i] = before.impulses_[joint];
+  const SceneJoints& joints = step.scene.joints();
+  for (int i = 0; i < joints.size(); ++i) {
+    const std::optional<int> number = then.joints().number_of(joints.id(i));
+    if (number) impulses_[i] = before.impulses_[*number];
   }
   if (step.hand) impulses_.back() = before.impulses_.back();
 }

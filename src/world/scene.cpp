@@ -184,7 +184,7 @@ BodyId Scene::add(const BodySpec& spec) {
 
 void Scene::change(BodyId body, const BodySpec& spec) {
   const char* const who = "Scene::change";
-  require_changeable(body, who);
+  require_changeable(*this, body, who);
   check_body(spec, who);
   const SceneBody& before = bodies()[body];
   require(spec.position == before.spec.position, who, "position",

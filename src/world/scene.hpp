@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "constraints/constraint.hpp"
 #include "constraints/contact.hpp"
@@ -14,6 +13,7 @@
 #include "math/list.hpp"
 #include "math/shared_list.hpp"
 #include "world/scene_event.hpp"
+#include "world/scene_joints.hpp"
 
 namespace cairn {
 
@@ -137,20 +137,21 @@ class Scene {
     if constexpr (requires { spec.a; }) require_body(spec.a, "a");
     if constexpr (requires { spec.b; }) require_body(spec.b, "b");
     if constexpr (requires { spec.c; }) require_body(spec.c, "c");
-    return add_joint(std::make_shared<const Joint>(spec, start), collision);
+    return join(std::make_shared<const Joint>(spec, start), collision);
   }
   /// Any constraint, one of your own too.
-  JointId add_joint(std::shared_ptr<const Constraint> joint,
-                    JointCollision collision = JointCollision::as_usual);
+  JointId join(std::shared_ptr<const Constraint> joint, JointCollision collision = JointCollision::as_usual);
+  /// Something that is to happen while the scene runs: a world does it in its steps. It is forgotten where
+  /// its body or joint is removed before.
+  /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
+  /// for impulses on the ground and on what cannot move, and for a motor that change() refuses.
+  void add(const SceneEvent& event);
   /// The same bodies and joints under other rules. @throws std::invalid_argument, and then changes nothing.
   void set_settings(const SceneSettings& settings);
-  /// Moves a body by `offset` [m] and turns it about its centre of mass by `angle` [rad]. Its joints stay
-  /// fastened to it where they are, and so begin with an error.
-  /// @throws std::invalid_argument for the ground, unknown and removed bodies and numbers that are not
-  /// finite.
-  void displace(BodyId body, const Vec2<double>& offset, double angle = 0);
   /// Puts the centre of mass of a body where `pose` says [m, rad], to begin at `velocity` [m/s, m/s, rad/s].
-  /// Joints as in displace(). @throws std::invalid_argument as there, and where a static body would move.
+  /// Its joints stay fastened to it where they are, and so begin with an error.
+  /// @throws std::invalid_argument for the ground, unknown and removed bodies, numbers that are not finite,
+  /// and where a static body would move.
   void place(BodyId body, const Pose<double>& pose, const Vec3<double>& velocity);
   /// Gives a body another spec: bodies()[body].spec with fields changed, so that its shapes are in the frame
   /// of the centre of mass. Position and angle stay as they are. Where new shapes have another centre of
@@ -160,6 +161,14 @@ class Scene {
   /// position or angle, another centre of mass while there are joints, and a joint that would be left without
   /// a body that can move.
   void change(BodyId body, const BodySpec& spec);
+  /// Gives a joint another motor in place of its own; none takes it away.
+  /// @throws std::invalid_argument for a joint that is not in the scene, for one that can have no motor, and
+  /// for what its class refuses.
+  void change(JointId joint, const std::optional<JointMotor>& motor);
+  /// Gives a joint a spring of its own under the policy soft, in place of Stabilization::joint_soft. It is of
+  /// the rows that hold positions; under other policies it does nothing.
+  /// @throws std::invalid_argument for a joint that is not in the scene and for a spring out of range.
+  void change(JointId joint, const SwingSoftness& spring);
   /// Takes a body out, with every joint that holds it. Other bodies keep their ids, and its own is not used
   /// again: its place stays, static, without shapes and marked as removed.
   /// @throws std::invalid_argument for the ground, unknown and removed bodies.
@@ -167,20 +176,6 @@ class Scene {
   /// Takes a joint out. Its bodies may touch from now on, unless another joint keeps them apart.
   /// @throws std::invalid_argument for a joint that is not in the scene.
   void remove(JointId joint);
-
-  /// Gives a joint another motor in place of its own; none takes it away.
-  /// @throws std::invalid_argument for a joint that is not in the scene, for one that can have no motor, and
-  /// for what its class refuses.
-  void set_motor(JointId joint, const std::optional<JointMotor>& motor);
-  /// Gives a joint a spring of its own under the policy soft, in place of Stabilization::joint_soft. It is of
-  /// the rows that hold positions; under other policies it does nothing.
-  /// @throws std::invalid_argument for a joint that is not in the scene and for a spring out of range.
-  void set_joint_soft(JointId joint, const SwingSoftness& spring);
-  /// Something that is to happen while the scene runs: a world does it in its steps. It is forgotten where
-  /// its body or joint is removed before.
-  /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
-  /// for impulses on the ground and on what cannot move, and for what set_motor() refuses.
-  void add_event(const SceneEvent& event);
   /// Does all events whose time has come by `until` [s], in their order. Whether there were any.
   bool do_events(double until);
 
@@ -188,46 +183,36 @@ class Scene {
   const SceneSettings& settings() const { return settings_; }
   /// In the order of their ids; the ground is the first. As long as the scene lives and is left alone.
   const PerBody<SceneBody>& bodies() const { return *bodies_; }
-  /// In the order in which they were added.
-  const List<std::shared_ptr<const Constraint>>& joints() const { return joints_; }
-  /// Of joints()[number], which comes one place forward when one before it is removed.
-  /// @throws std::invalid_argument for a number that is not in joints().
-  JointId joint_id(int number) const;
-  /// The spring of joints()[number] under the policy soft: its own, or else that of the settings.
-  const SwingSoftness& joint_soft(int number) const;
+  /// In the order in which they were added, with their ids, and who is kept apart by them.
+  const SceneJoints& joints() const { return joints_; }
   /// What is still to happen, by time; those of one time in the order in which they were added.
   const List<SceneEvent>& events() const { return events_; }
-  /// Pairs of bodies that a joint keeps from colliding, sorted, the lower id first.
-  const List<std::pair<BodyId, BodyId>>& apart() const { return apart_; }
 
  private:
-  struct Fastening {
-    JointId id = {};
-    bool collide = true;                     // its bodies may touch
-    std::optional<SwingSoftness> soft = {};  // none: that of the settings
-  };
-
   PerBody<SceneBody>& own_bodies();
   PerBody<Pose<double>> poses() const;
-  void keep_apart(const Constraint& joint);
-  void find_apart();
   bool holds(int joint, BodyId body, const PerBody<Pose<double>>& start) const;
   bool has_joints(BodyId body) const;
   int number_of(JointId joint, const char* who) const;
-  std::shared_ptr<const Constraint> with_motor(JointId joint, const std::optional<JointMotor>& motor) const;
+  std::shared_ptr<const Constraint> with_motor(JointId joint, const std::optional<JointMotor>& motor,
+                                               const char* who) const;
   void forget_events();
   void require_body(BodyId id, const char* field) const;
-  void require_changeable(BodyId id, const char* who) const;
   void require_other_movers(BodyId body, BodyType type) const;
 
   SceneSettings settings_;
   std::shared_ptr<PerBody<SceneBody>> bodies_;  // copies of the scene have the same until one is changed
-  List<std::shared_ptr<const Constraint>> joints_;
-  List<Fastening> fastenings_;  // of joints_
-  int joints_made_ = 0;
-  List<std::pair<BodyId, BodyId>> apart_;
+  SceneJoints joints_;
   List<SceneEvent> events_;  // by time
 };
+
+/// Moves a body by `offset` [m] and turns it about its centre of mass by `angle` [rad], as Scene::place does.
+/// @throws std::invalid_argument for the ground, unknown and removed bodies and numbers that are not finite.
+void displace(Scene& scene, BodyId body, const Vec2<double>& offset, double angle = 0);
+
+/// What may be placed, changed and removed. @throws std::invalid_argument unless it is a body of the scene
+/// other than the ground, and was not removed.
+void require_changeable(const Scene& scene, BodyId body, const char* place);
 
 /// @throws std::invalid_argument unless dt is from 1e-12 to 1e6 s.
 void require_time_step(double dt, const char* place);

@@ -22,18 +22,10 @@ List<BodyId> bodies_of(const Constraint& joint, const PerBody<Pose<double>>& pos
   return bodies;
 }
 
-/// Gives a body another pose; the frame that its shapes were given in goes with it.
-void set_pose(SceneBody& body, const Pose<double>& pose) {
-  const Vec2<double> frame = body.pose.local(body.spec.position);
-  body.pose = pose;
-  body.spec.position = pose.world(frame);
-  body.spec.angle = pose.angle;
-}
-
 }  // namespace
 
-JointId Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision collision) {
-  require(joint != nullptr, "Scene::add_joint", "joint", "a constraint", "nullptr");
+JointId Scene::join(std::shared_ptr<const Constraint> joint, JointCollision collision) {
+  require(joint != nullptr, "Scene::join", "joint", "a constraint", "nullptr");
   std::string named;
   bool can_move = false;
   for (const Attachment& place : joint->attachments()) {
@@ -41,66 +33,59 @@ JointId Scene::add_joint(std::shared_ptr<const Constraint> joint, JointCollision
     can_move |= bodies()[place.body].spec.type == BodyType::dynamic;
     named += (named.empty() ? "" : ", ") + std::to_string(place.body.index);
   }
-  require(can_move, "Scene::add_joint", "bodies", "at least one that can move", named);
-
+  require(can_move, "Scene::join", "bodies", "at least one that can move", named);
   const bool collide =
       collision == JointCollision::as_usual ? joint->bodies_collide() : collision == JointCollision::on;
-  if (!collide) keep_apart(*joint);
-  const JointId id{joints_made_++};
-  fastenings_.push_back({.id = id, .collide = collide});
-  joints_.push_back(std::move(joint));
-  return id;
-}
-
-JointId Scene::joint_id(int number) const {
-  require(number >= 0 && number < joints_.size(), "Scene::joint_id", "number", "that of a joint in joints()",
-          number);
-  return fastenings_[number].id;
+  return joints_.add(std::move(joint), collide);
 }
 
 /// Where in joints() a joint is.
 int Scene::number_of(JointId joint, const char* who) const {
-  const auto is_it = [joint](const Fastening& one) { return one.id == joint; };
-  const auto found = std::find_if(fastenings_.begin(), fastenings_.end(), is_it);
-  require(found != fastenings_.end(), who, "joint", "the id of a joint of this scene", joint.index);
-  return static_cast<int>(found - fastenings_.begin());
+  const std::optional<int> number = joints_.number_of(joint);
+  require(number.has_value(), who, "joint", "the id of a joint of this scene", joint.index);
+  return *number;
 }
 
-void Scene::set_joint_soft(JointId joint, const SwingSoftness& spring) {
-  const int number = number_of(joint, "Scene::set_joint_soft");
-  require_softness(spring, "Scene::set_joint_soft");
-  fastenings_[number].soft = spring;
+std::shared_ptr<const Constraint> Scene::with_motor(JointId joint, const std::optional<JointMotor>& motor,
+                                                    const char* who) const {
+  const Constraint& before = *joints_[number_of(joint, who)];
+  std::shared_ptr<const Constraint> result = before.with_motor(motor);
+  require(result != nullptr, who, "joint", "one that can have a motor", before.name());
+  return result;
 }
 
-const SwingSoftness& Scene::joint_soft(int number) const {
-  const std::optional<SwingSoftness>& own = fastenings_[number].soft;
-  return own ? *own : settings_.stabilization.joint_soft;
+void Scene::change(JointId joint, const std::optional<JointMotor>& motor) {
+  const char* const who = "Scene::change";
+  joints_.change(number_of(joint, who), with_motor(joint, motor, who));
+}
+
+void Scene::change(JointId joint, const SwingSoftness& spring) {
+  const char* const who = "Scene::change";
+  const int number = number_of(joint, who);
+  require_softness(spring, who);
+  joints_.change(number, spring);
 }
 
 void Scene::remove(JointId joint) {
-  const int number = number_of(joint, "Scene::remove");
-  joints_.erase(joints_.begin() + number);
-  fastenings_.erase(fastenings_.begin() + number);
-  find_apart();
+  joints_.remove({number_of(joint, "Scene::remove")});
   forget_events();
 }
 
 void Scene::remove(BodyId body) {
-  require_changeable(body, "Scene::remove");
+  require_changeable(*this, body, "Scene::remove");
   const PerBody<Pose<double>> start = poses();
-  for (int i = joints_.size() - 1; i >= 0; --i) {
-    if (!holds(i, body, start)) continue;
-    joints_.erase(joints_.begin() + i);
-    fastenings_.erase(fastenings_.begin() + i);
+  List<int> held;
+  for (const int i : joints_.indices()) {
+    if (holds(i, body, start)) held.push_back(i);
   }
-  find_apart();
+  joints_.remove(held);
   own_bodies()[body] = {.spec = {.type = BodyType::static_body}, .removed = true};
   forget_events();
 }
 
 void Scene::place(BodyId body, const Pose<double>& pose, const Vec3<double>& velocity) {
   const char* const who = "Scene::place";
-  require_changeable(body, who);
+  require_changeable(*this, body, who);
   require_finite(pose.position, who, "position", "m");
   require_finite(pose.angle, who, "angle", "rad");
   const Vec2<double> linear = velocity.head<2>();
@@ -109,44 +94,18 @@ void Scene::place(BodyId body, const Pose<double>& pose, const Vec3<double>& vel
   SceneBody& placed = own_bodies()[body];
   require(placed.spec.type != BodyType::static_body || velocity.isZero(0), who, "velocity",
           "0 for a static body", velocity.norm());
-  set_pose(placed, pose);
+  const Vec2<double> frame = placed.pose.local(placed.spec.position);  // goes with the body
+  placed.pose = pose;
+  placed.spec.position = pose.world(frame);
+  placed.spec.angle = pose.angle;
   placed.spec.velocity = linear;
   placed.spec.angular_velocity = velocity.z();
-}
-
-void Scene::displace(BodyId body, const Vec2<double>& offset, double angle) {
-  require_changeable(body, "Scene::displace");
-  require_finite(offset, "Scene::displace", "offset", "m");
-  require_finite(angle, "Scene::displace", "angle", "rad");
-  SceneBody& moved_body = own_bodies()[body];
-  const Pose<double> pose = {moved_body.pose.position + offset, moved_body.pose.angle + angle};
-  require_finite(pose.position, "Scene::displace", "position", "m");
-  set_pose(moved_body, pose);
 }
 
 PerBody<Pose<double>> Scene::poses() const {
   PerBody<Pose<double>> result;
   for (const SceneBody& body : bodies()) result.push_back(body.pose);
   return result;
-}
-
-void Scene::keep_apart(const Constraint& joint) {
-  const List<Attachment> places = joint.attachments();
-  for (int i = 0; i < places.size(); ++i) {
-    for (int k = 0; k < i; ++k) {
-      const std::pair<BodyId, BodyId> pair = std::minmax(places[i].body, places[k].body);
-      const auto where = std::lower_bound(apart_.begin(), apart_.end(), pair);
-      if (where == apart_.end() || *where != pair) apart_.insert(where, pair);
-    }
-  }
-}
-
-/// A pair stays apart while one of its joints says so.
-void Scene::find_apart() {
-  apart_.clear();
-  for (const int i : joints_.indices()) {
-    if (!fastenings_[i].collide) keep_apart(*joints_[i]);
-  }
 }
 
 /// Whether joint number `joint` has to do with a body.
@@ -168,12 +127,6 @@ void Scene::require_body(BodyId id, const char* field) const {
   require(!bodies()[id].removed, "Scene::join", field, "a body that was not removed", id.index);
 }
 
-void Scene::require_changeable(BodyId id, const char* who) const {
-  require(id.index > 0 && id.index < bodies().size(), who, "body", "the id of a body other than the ground",
-          id.index);
-  require(!bodies()[id].removed, who, "body", "one that was not removed", id.index);
-}
-
 /// A joint needs a body that can move besides this one.
 void Scene::require_other_movers(BodyId body, BodyType type) const {
   for (const int i : joints_.indices()) {
@@ -183,10 +136,26 @@ void Scene::require_other_movers(BodyId body, BodyType type) const {
       others_move |= place.body != body && bodies()[place.body].spec.type == BodyType::dynamic;
     }
     require(!is_fastened || others_move, "Scene::change", "type",
-            "dynamic, as nothing else that joint " + std::to_string(fastenings_[i].id.index) +
+            "dynamic, as nothing else that joint " + std::to_string(joints_.id(i).index) +
                 " is fastened to can move",
             type == BodyType::kinematic ? "kinematic" : "static");
   }
+}
+
+void displace(Scene& scene, BodyId body, const Vec2<double>& offset, double angle) {
+  require_changeable(scene, body, "displace");
+  require_finite(offset, "displace", "offset", "m");
+  require_finite(angle, "displace", "angle", "rad");
+  const SceneBody& from = scene.bodies()[body];
+  const Vec2<double>& velocity = from.spec.velocity;
+  scene.place(body, {from.pose.position + offset, from.pose.angle + angle},
+              {velocity.x(), velocity.y(), from.spec.angular_velocity});
+}
+
+void require_changeable(const Scene& scene, BodyId body, const char* place) {
+  require(body.index > 0 && body.index < scene.bodies().size(), place, "body",
+          "the id of a body other than the ground", body.index);
+  require(!scene.bodies()[body].removed, place, "body", "one that was not removed", body.index);
 }
 
 }  // namespace cairn

@@ -1,20 +1,13 @@
 // Floor 5. What happens to a scene while it runs, at times that are known before.
 #pragma once
 
-#include <compare>
 #include <optional>
 #include <variant>
 
 #include "constraints/constraint.hpp"
+#include "world/scene_joints.hpp"
 
 namespace cairn {
-
-/// A joint, for as long as it is in its scene; its number is not used again.
-struct JointId {
-  int index = 0;  // from 0, in the order of adding
-  /// By index.
-  auto operator<=>(const JointId&) const = default;
-};
 
 /// Takes a body out, with every joint that holds it.
 struct RemoveBody {

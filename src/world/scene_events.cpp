@@ -24,7 +24,7 @@ struct SceneActor {
 
   void operator()(const RemoveBody& action) const { scene.remove(action.body); }
   void operator()(const RemoveJoint& action) const { scene.remove(action.joint); }
-  void operator()(const SwitchMotor& action) const { scene.set_motor(action.joint, action.motor); }
+  void operator()(const SwitchMotor& action) const { scene.change(action.joint, action.motor); }
   void operator()(const PushBody& action) const {
     const SceneBody& body = scene.bodies()[action.body];
     scene.place(action.body, body.pose, pushed(body, action));
@@ -32,7 +32,7 @@ struct SceneActor {
 };
 
 void require_pushable(const Scene& scene, const PushBody& push) {
-  const char* const who = "Scene::add_event";
+  const char* const who = "Scene::add";
   require(scene.bodies()[push.body].spec.type == BodyType::dynamic, who, "body", "a dynamic one",
           push.body.index);
   require_finite(push.impulse, who, "impulse", "N s");
@@ -44,31 +44,19 @@ void require_pushable(const Scene& scene, const PushBody& push) {
 
 }  // namespace
 
-void Scene::set_motor(JointId joint, const std::optional<JointMotor>& motor) {
-  joints_[number_of(joint, "Scene::set_motor")] = with_motor(joint, motor);
-}
-
-std::shared_ptr<const Constraint> Scene::with_motor(JointId joint,
-                                                    const std::optional<JointMotor>& motor) const {
-  const char* const who = "Scene::set_motor";
-  const Constraint& before = *joints_[number_of(joint, who)];
-  std::shared_ptr<const Constraint> result = before.with_motor(motor);
-  require(result != nullptr, who, "joint", "one that can have a motor", before.name());
-  return result;
-}
-
-void Scene::add_event(const SceneEvent& event) {
-  const char* const who = "Scene::add_event";
+void Scene::add(const SceneEvent& event) {
+  const char* const who = "Scene::add";
   require(event.time >= 0 && std::isfinite(event.time), who, "time", "finite and >= 0 s", event.time);
-  if (const auto* removal = std::get_if<RemoveBody>(&event.action)) require_changeable(removal->body, who);
+  if (const auto* removal = std::get_if<RemoveBody>(&event.action))
+    require_changeable(*this, removal->body, who);
   if (const auto* removal = std::get_if<RemoveJoint>(&event.action)) number_of(removal->joint, who);
   if (const auto* push = std::get_if<PushBody>(&event.action)) {
-    require_changeable(push->body, who);
+    require_changeable(*this, push->body, who);
     require_pushable(*this, *push);
   }
   // Refused now, and not when it is to be done:
   if (const auto* other = std::get_if<SwitchMotor>(&event.action))
-    (void)with_motor(other->joint, other->motor);
+    (void)with_motor(other->joint, other->motor, who);
   const auto later = [](double time, const SceneEvent& other) { return time < other.time; };
   events_.insert(std::upper_bound(events_.begin(), events_.end(), event.time, later), event);
 }
@@ -86,13 +74,11 @@ bool Scene::do_events(double until) {
 
 /// Those of bodies and joints that are no longer there.
 void Scene::forget_events() {
-  List<JointId> joints;  // ascending
-  for (const Fastening& fastening : fastenings_) joints.push_back(fastening.id);
   const auto is_there = [&]<typename Action>(const Action& action) {
     if constexpr (requires { action.body; })
       return !bodies()[action.body].removed;
     else
-      return std::binary_search(joints.begin(), joints.end(), action.joint);
+      return joints_.number_of(action.joint).has_value();
   };
   erase_if(events_, [&](const SceneEvent& event) { return !std::visit(is_there, event.action); });
 }

@@ -91,7 +91,7 @@ Snapshot snapshot(const World<Real>& world) {
                   .step = world.clock().steps,
                   .dt = world.clock().dt / scene.settings().substeps,
                   .gravity = scene.settings().gravity};
-  result.apart = scene.apart();
+  result.apart = scene.joints().apart();
   for (const BodyId body : scene.bodies().indices()) {
     const Pose<Real>& pose = world.bodies().pose[body];
     const Pose<double> double_pose{pose.position.template cast<double>(), static_cast<double>(pose.angle)};

@@ -35,7 +35,7 @@ struct Substep {
   const Constraint& joint(int number) const { return is_hand(number) ? *hand : *scene.joints()[number]; }
   /// RowKey::source of its rows.
   std::uint64_t source(int joint) const {
-    return is_hand(joint) ? hand_source : static_cast<std::uint64_t>(scene.joint_id(joint).index);
+    return is_hand(joint) ? hand_source : static_cast<std::uint64_t>(scene.joints().id(joint).index);
   }
   /// Whether its bodies sleep; the hand holds none that does.
   bool asleep(int joint) const { return sleep && !is_hand(joint) && sleep->joint_asleep(joint); }

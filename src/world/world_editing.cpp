@@ -34,13 +34,6 @@ List<int> numbers_now(const Scene& before, const Scene& now) {
   return numbers;
 }
 
-/// In the order of the joints, which ascends.
-List<JointId> joint_ids(const Scene& scene) {
-  List<JointId> ids;
-  for (int i = 0; i < scene.joints().size(); ++i) ids.push_back(scene.joint_id(i));
-  return ids;
-}
-
 /// [s] Until when events are due; none where none is.
 std::optional<double> due_time(const Scene& scene, const Clock& clock) {
   // A sum of n steps is off by fewer than n roundings of itself.
@@ -131,19 +124,15 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
     if (has_changed(a)) sleep_->wake(b);
     if (has_changed(b)) sleep_->wake(a);
   });
-  const auto wake_ends = [&](const Scene& scene, const Scene& other) {
-    const List<JointId> others = joint_ids(other);
-    for (int i = 0; i < scene.joints().size(); ++i) {
-      const auto found = std::lower_bound(others.begin(), others.end(), scene.joint_id(i));
-      const bool is_there = found != others.end() && *found == scene.joint_id(i);
-      const int k = static_cast<int>(found - others.begin());
-      const bool is_same = is_there && other.joints()[k] == scene.joints()[i];
-      if (is_same && other.joint_soft(k) == scene.joint_soft(i)) continue;
-      for (const Attachment& end : scene.joints()[i]->attachments()) sleep_->wake(end.body);
+  const auto wake_ends = [&](const SceneJoints& joints, const SceneJoints& others) {
+    for (int i = 0; i < joints.size(); ++i) {
+      const std::optional<int> k = others.number_of(joints.id(i));
+      if (k && others[*k] == joints[i] && others.soft(*k) == joints.soft(i)) continue;
+      for (const Attachment& end : joints[i]->attachments()) sleep_->wake(end.body);
     }
   };
-  wake_ends(then, *scene_);
-  wake_ends(*scene_, then);
+  wake_ends(then.joints(), scene_->joints());
+  wake_ends(scene_->joints(), then.joints());
 }
 
 template <Scalar Real>

@@ -60,10 +60,10 @@ StateRows<Real> joint_rows(const typename Joint::Spec& spec, const PerBody<Pose<
   return {.joint = std::make_shared<const Joint>(spec, start)};
 }
 
-/// The rows of a contact of bodies 1 and 2 as a joint would state them: errors in place of biases.
+/// The rows of a contact of bodies 1 and 2.
 template <Scalar Real>
-RowSpecs<Real> stated_contact(const Manifold<Real>& manifold, Real friction,
-                              const PerBody<Pose<Real>>& poses) {
+PerRow<ConstraintRow<Real>> written_contact(const Manifold<Real>& manifold, Real friction,
+                                            const PerBody<Pose<Real>>& poses) {
   VelocityProblem<Real> problem;
   problem.velocity.assign(3, Vec3<Real>::Zero());
   problem.inverse_mass.assign(3, Vec3<Real>::Ones());
@@ -76,8 +76,15 @@ RowSpecs<Real> stated_contact(const Manifold<Real>& manifold, Real friction,
                               .friction = friction};
   int next = 0;
   write_contact_rows(contact, problem, next);
+  return problem.rows;
+}
+
+/// The same as a joint would state them: errors in place of biases.
+template <Scalar Real>
+RowSpecs<Real> stated_contact(const Manifold<Real>& manifold, Real friction,
+                              const PerBody<Pose<Real>>& poses) {
   RowSpecs<Real> specs;
-  for (const ConstraintRow<Real>& row : problem.rows) {
+  for (const ConstraintRow<Real>& row : written_contact(manifold, friction, poses)) {
     RowSpec<Real>& spec = specs.emplace_back();
     spec.a = row.a;
     spec.b = row.b;

@@ -19,10 +19,10 @@ double dragged_along(double dt, int steps, double speed) {
   const BodyId body = scene.add(disc({0, 0}, 3));
   const DragJoint grip({.body = body, .softness = SwingSoftness{hand_frequency, hand_damping}},
                        two_at_origin);
-  JointId hand = scene.add_joint(std::make_shared<const DragJoint>(grip));
+  JointId hand = scene.join(std::make_shared<const DragJoint>(grip));
   for (int step = 1; step <= steps; ++step) {
     scene.remove(hand);
-    hand = scene.add_joint(std::make_shared<const DragJoint>(grip.moved_to({speed * dt * step, 0})));
+    hand = scene.join(std::make_shared<const DragJoint>(grip.moved_to({speed * dt * step, 0})));
     World world(scene);
     step_often(world, 1, 1);
     scene.place(body, world.bodies().pose[body], world.bodies().velocity[body]);

@@ -69,7 +69,7 @@ const List<Join>& joins() {
   static const List<Join> all = {
       [](Scene& scene, BodyId a, BodyId b, const Vec2<double>& at, Choices& choices) {
         const JointId joint = scene.join<RevoluteJoint>({.a = a, .b = b, .anchor = at});
-        scene.set_motor(joint, random_motor(choices));
+        scene.change(joint, random_motor(choices));
       },
       [](Scene& scene, BodyId a, BodyId b, const Vec2<double>& at, Choices&) {
         scene.join<RevoluteJoint>({.a = a, .b = b, .anchor = at, .lower = -0.5, .upper = 0.5});
@@ -85,7 +85,7 @@ const List<Join>& joins() {
       [](Scene& scene, BodyId a, BodyId b, const Vec2<double>& at, Choices& choices) {
         const Vec2<double> axis = point(1, choices);
         const JointId joint = scene.join<PrismaticJoint>({.a = a, .b = b, .anchor = at, .axis = axis});
-        scene.set_motor(joint, random_motor(choices));
+        scene.change(joint, random_motor(choices));
       },
       [](Scene& scene, BodyId a, BodyId b, const Vec2<double>&, Choices& choices) {
         const double most = choices.between(0, 50);
@@ -124,7 +124,7 @@ void add_event_randomly(Scene& scene, double after, Choices& choices) {
   } else {
     event.action = PushBody{.body = body, .impulse = point(3, choices), .point = point(0.5, choices)};
   }
-  try_it([&] { scene.add_event(event); });
+  try_it([&] { scene.add(event); });
 }
 
 void change_body(Scene& scene, Choices& choices) {

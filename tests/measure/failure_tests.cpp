@@ -216,9 +216,9 @@ TEST_CASE(
   CHECK(
       is_driven(pinned({.motor = RevoluteJoint::Motor{.speed = 2, .max_torque = 1}}, BodyType::dynamic, 0)));
   Scene switched = pinned({}, BodyType::dynamic, 0);
-  switched.add_event({.time = 1, .action = RemoveJoint{{0}}});
+  switched.add({.time = 1, .action = RemoveJoint{{0}}});
   CHECK_FALSE(is_driven(switched));
-  switched.add_event({.time = 0.5, .action = SwitchMotor{{0}, JointMotor{.speed = 2, .max_force = 1}}});
+  switched.add({.time = 0.5, .action = SwitchMotor{{0}, JointMotor{.speed = 2, .max_force = 1}}});
   CHECK(is_driven(switched));
   Scene on_spring = pinned({}, BodyType::dynamic, 0);
   on_spring.join<DistanceJoint>({.a = ground,

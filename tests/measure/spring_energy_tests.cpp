@@ -98,8 +98,8 @@ TEST_CASE("two masses on one spring, and a torsion spring, keep kinetic energy a
     const BodyId a = scene.add({.shapes = {circle(0.1)}, .position = {0, 0}, .mass = 1, .inertia = 2});
     const Softness softness = SwingSoftness{.frequency = swings_per_second};
     if (twists) {
-      scene.add_joint(std::make_shared<TorsionSpring>(a, softness));
-      scene.displace(a, {0, 0}, 0.5);
+      scene.join(std::make_shared<TorsionSpring>(a, softness));
+      displace(scene, a, {0, 0}, 0.5);
     } else {
       const BodyId b = scene.add({.shapes = {circle(0.1)}, .position = {1.5, 0}, .mass = 7});
       scene.join<DistanceJoint>({.a = a,
@@ -150,7 +150,8 @@ TEST_CASE("no spring is too stiff: what the step can follow is kept, what it can
     World world(
         bob_under(SwingSoftness{.frequency = turn_of_step / dt / (2 * pi)}, {.gravity = {0, 0}, .dt = dt}));
     const auto stretch = [&] {  // in the middle of the step
-      return -world.bodies().pose[{1}].position.y() - 2 + world.clock().dt / 2 * world.bodies().velocity[{1}].y();
+      return -world.bodies().pose[{1}].position.y() - 2 +
+             world.clock().dt / 2 * world.bodies().velocity[{1}].y();
     };
     const Range all = range_of(world, 10, stretch);
     CHECK(std::max(all.largest, -all.least) <= 0.25 * (1 + 1e-12));

@@ -31,9 +31,9 @@ TEST_CASE("what loses its support falls in Box2D from the same step on") {
     const JointId rod = scene.join<DistanceJoint>({.a = peg, .b = disc, .anchor_a = {0, 3}});
     const double time = 0.5 - 0.9 * event_dt;  // within a step: it waits for the next
     if (removes_joint) {
-      scene.add_event({.time = time, .action = RemoveJoint{rod}});
+      scene.add({.time = time, .action = RemoveJoint{rod}});
     } else {
-      scene.add_event({.time = time, .action = RemoveBody{peg}});
+      scene.add({.time = time, .action = RemoveBody{peg}});
     }
     const Snapshot held = box2d_after(scene, 32), now = box2d_after(scene, 64);
     CHECK(held.joints.size() == 1);
@@ -49,7 +49,7 @@ TEST_CASE("what loses its support falls in Box2D from the same step on") {
 TEST_CASE("an impulse does in Box2D what it does in Cairn") {
   Scene scene({.gravity = {0, 0}, .dt = event_dt});
   const BodyId disc = scene.add({.shapes = {circle(1)}, .angle = pi / 2, .mass = 4, .inertia = 0.25});
-  scene.add_event({.time = 0, .action = PushBody{.body = disc, .impulse = {2, -6}, .point = {0.5, 0}}});
+  scene.add({.time = 0, .action = PushBody{.body = disc, .impulse = {2, -6}, .point = {0.5, 0}}});
   const Vec3<double> velocity = box2d_after(scene, 1).bodies[disc].velocity;
   const double single = 1e-6;  // a few roundings
   CHECK(velocity.x() == doctest::Approx(2.0 / 4).epsilon(single));
@@ -63,7 +63,7 @@ TEST_CASE(
   scene.add_ground();
   const BodyId below = scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}});
   const BodyId above = scene.add({.shapes = {box(1, 1)}, .position = {0, 1.5}});
-  scene.add_event({.time = 0.5, .action = RemoveBody{below}});
+  scene.add({.time = 0.5, .action = RemoveBody{below}});
   CHECK(box2d_after(scene, 30).contacts.size() == 4);
   CHECK(box2d_after(scene, 31).contacts.empty());
   const Snapshot end = box2d_after(scene, 120);
@@ -76,7 +76,7 @@ TEST_CASE("a motor that is switched is refused for Box2D by name") {
   Scene scene;
   const BodyId disc = scene.add({.shapes = {circle(1)}});
   const JointId axle = scene.join<RevoluteJoint>({.b = disc});
-  scene.add_event({.time = 1, .action = SwitchMotor{axle, JointMotor{.speed = 1, .max_force = 1}}});
+  scene.add({.time = 1, .action = SwitchMotor{axle, JointMotor{.speed = 1, .max_force = 1}}});
   CHECK_THROWS_WITH_AS(
       Box2DWorld{scene},
       "Box2DWorld: event must be a removal or an impulse, as its joints have no motor, got a motor",

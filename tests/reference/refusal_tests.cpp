@@ -77,7 +77,7 @@ TEST_CASE("Box2D takes rods and pins, and refuses other joints and rods shorter 
   CHECK(refusal(short_rod).starts_with("Box2DWorld: rod length must be >= 0.005 m"));
 
   Scene other = scene_with(circle(0.5));
-  other.add_joint(std::make_shared<const Magnet>());
+  other.join(std::make_shared<const Magnet>());
   CHECK(refusal(other) == "Box2DWorld: joint must be a rod or a revolute joint, got magnet");
 
   Scene rope = scene_with(circle(0.5));

@@ -17,7 +17,7 @@ TEST_CASE("what an event gives or takes is neither a gain nor a loss of energy")
   Scene scene;
   const BodyId flying = scene.add({.shapes = {circle(0.5)}, .mass = 2, .gravity_scale = 0});
   scene.add({.shapes = {circle(0.5)}, .position = {5, 0}, .mass = 1});
-  scene.add_event({.time = 0.25, .action = PushBody{.body = flying, .impulse = {-20, 0}}});
+  scene.add({.time = 0.25, .action = PushBody{.body = flying, .impulse = {-20, 0}}});
   const Setting setting{.dt = event_trial_dt};
   const auto error = [&](const Scene& tried) {
     const TrialResult result = run_trial(tried, setting, {.seconds = 1});
@@ -28,7 +28,7 @@ TEST_CASE("what an event gives or takes is neither a gain nor a loss of energy")
   // Semi-implicit Euler loses m g^2 dt t / 2 of what falls, and nothing of what flies straight on.
   const double loss = 100 * event_trial_dt / 2;
   CHECK(error(scene) == doctest::Approx(loss).epsilon(1e-12));  // J^2 / (2 m) = 100 J are left out
-  scene.add_event({.time = 0.5, .action = RemoveBody{flying}});
+  scene.add({.time = 0.5, .action = RemoveBody{flying}});
   CHECK(error(scene) == doctest::Approx(loss).epsilon(1e-12));
 }
 
@@ -41,10 +41,10 @@ TEST_CASE("a body that an event removes has not fallen, nor has what stood on a 
   const auto end = [](const Scene& tried) {
     return run_trial(tried, {.sweeps = {.iterations = 20}}, {.seconds = 1.5, .stand_distance = 0.1});
   };
-  scene.add_event({.time = 0.25, .action = RemoveBody{first}});
+  scene.add({.time = 0.25, .action = RemoveBody{first}});
   CHECK(end(scene).stands());
   CHECK(end(scene).failures.empty());
-  scene.add_event({.time = 0.5, .action = RemoveBody{floor}});
+  scene.add({.time = 0.5, .action = RemoveBody{floor}});
   CHECK_FALSE(end(scene).stands());    // the other one falls,
   CHECK(end(scene).failures.empty());  // but not out of what there was to hold it
 }

@@ -48,7 +48,7 @@ Scene scene_to_share(bool with_chain, ContactSearch search) {
     scene.join<RevoluteJoint>({.a = above, .b = link, .anchor = {8.0 + i, 4}});
     above = link;
   }
-  scene.add_event({.time = 0.1, .action = RemoveBody{BodyId{5}}});
+  scene.add({.time = 0.1, .action = RemoveBody{BodyId{5}}});
   return scene;
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("copies of a scene are changed on several threads, and no other sees i
   on_threads([&](int i) {
     Scene own = scene;
     for (int k = 0; k < 20; ++k) {
-      copies[i].displace(BodyId{1 + i}, {0, 1});
-      own.displace(BodyId{1}, {1, 0});
+      displace(copies[i], BodyId{1 + i}, {0, 1});
+      displace(own, BodyId{1}, {1, 0});
       own = copies[i];  // lets go of what others have
     }
   });

@@ -1,5 +1,6 @@
 // Mistakes of a whole step: tangents that disagree, rows in another order, angles that wrap, work that is not
 // counted, bodies that fall asleep.
+#include "../constraints/constraint_list.hpp"
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
 #include "constraints/distance_joint.hpp"
@@ -26,19 +27,7 @@ PerRow<ConstraintRow<Real>> rows_of_tilted_boxes(test::Random& random) {
   }
   const Manifold<Real> manifold = collide<Real>(shape_cast<Real>(box(4, 1)), poses[{1}],
                                                 shape_cast<Real>(box(1, 1)), poses[{2}], Real(0.1));
-  VelocityProblem<Real> problem;
-  problem.velocity.assign(3, Vec3<Real>::Zero());
-  problem.inverse_mass.assign(3, Vec3<Real>::Ones());
-  problem.rule.dt = 1;
-  const Contact<Real> contact{.a = {1},
-                              .b = {2},
-                              .manifold = manifold,
-                              .center_a = poses[{1}].position,
-                              .center_b = poses[{2}].position,
-                              .friction = Real(0.5)};
-  int next = 0;
-  write_contact_rows(contact, problem, next);
-  return problem.rows;
+  return written_contact(manifold, Real(0.5), poses);
 }
 
 /// What a rod too long by 0.1 m and the ground leave of a box's vertical speed [m/s] after one step.

@@ -155,7 +155,7 @@ Scene rope_to_count() {
   for (int i = 0; i < 3; ++i) {
     scene.add({.shapes = {box(0.5, 0.5)}, .position = {static_cast<double>(i), 0}, .mass = 1.0 + i});
   }
-  scene.add_joint(std::make_shared<const ThreeBodyRope>());
+  scene.join(std::make_shared<const ThreeBodyRope>());
   return scene;
 }
 

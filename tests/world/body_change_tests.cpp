@@ -44,7 +44,7 @@ TEST_CASE("a body changed to the spec that it has is the same to the last bit, w
   };
   check_all();
   for (const BodyId body : scene.bodies().indices()) {
-    if (body != ground) scene.displace(body, {0.1, 0.7}, 0.3);
+    if (body != ground) displace(scene, body, {0.1, 0.7}, 0.3);
   }
   check_all();
   scene.place({1}, {{-0.0, 1.0 / 3}, 7.1}, {0.1, -0.0, 3});
@@ -109,7 +109,7 @@ TEST_CASE("a body with joints may grow around its centre of mass, and not beside
         "Scene::change: shapes must be around the body's centre of mass, (0, 0) m, while it has joints, got "
         "(0.25, 0)");
   CHECK(chain.scene.bodies()[{1}].mass == doctest::Approx(0.21));
-  while (!chain.scene.joints().empty()) chain.scene.remove(chain.scene.joint_id(0));
+  while (!chain.scene.joints().empty()) chain.scene.remove(chain.scene.joints().id(0));
   chain.scene.change({1}, spec);
   CHECK(chain.scene.bodies()[{1}].pose.position.x() == 1.25);
 }
@@ -126,7 +126,7 @@ TEST_CASE("a body begins where and as fast as it was placed, bit by bit") {
   // The frame that its shapes were given in goes with it, as when it is displaced.
   Scene displaced = every_kind();
   const Pose<double> from = displaced.bodies()[{1}].pose;
-  displaced.displace({1}, pose.position - from.position, pose.angle - from.angle);
+  displace(displaced, {1}, pose.position - from.position, pose.angle - from.angle);
   const BodySpec& spec = scene.bodies()[{1}].spec;
   CHECK((spec.position - displaced.bodies()[{1}].spec.position).norm() <= 1e-14);
   CHECK(spec.angle == pose.angle);

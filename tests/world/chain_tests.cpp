@@ -214,7 +214,7 @@ TEST_CASE("a world whose tiles are changed goes on as one that was made so") {
   for (int i = 0; i < 20; ++i) world.step(solver);
   World<double> twin = world;
   twin.edit([&](Scene& edited) { edited.remove(second); });
-  twin.edit([&](Scene& edited) { edited.displace(first, {0, 0}); });
+  twin.edit([&](Scene& edited) { displace(edited, first, {0, 0}); });
   for (int i = 0; i < 30; ++i) world.step(solver), twin.step(solver);
   CHECK(world.bodies().velocity[{3}].x() == doctest::Approx(2).epsilon(1e-12));
   CHECK(twin.bodies().pose[{3}].position.y() < 0.45);  // it falls where the second tile was

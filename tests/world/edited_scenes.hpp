@@ -69,7 +69,7 @@ struct HangingChain {
 
 inline List<JointId> ids_of(const Scene& scene) {
   List<JointId> ids;
-  for (const int i : scene.joints().indices()) ids.push_back(scene.joint_id(i));
+  for (const int i : scene.joints().indices()) ids.push_back(scene.joints().id(i));
   return ids;
 }
 

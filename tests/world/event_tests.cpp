@@ -52,9 +52,9 @@ TEST_CASE("what loses its support falls from the first step that begins at the t
       const BodyId disc = scene.add({.shapes = {circle(1)}});
       const JointId rod = scene.join<DistanceJoint>({.a = peg, .b = disc, .anchor_a = {0, 1}});
       if (removes_joint) {
-        scene.add_event({.time = time, .action = RemoveJoint{rod}});
+        scene.add({.time = time, .action = RemoveJoint{rod}});
       } else {
-        scene.add_event({.time = time, .action = RemoveBody{peg}});  // and its rod
+        scene.add({.time = time, .action = RemoveBody{peg}});  // and its rod
       }
       World<double> world(scene);
       take_steps(world, 32);
@@ -80,7 +80,7 @@ TEST_CASE("an impulse changes a velocity by J / m and its turning by r x J / I, 
                                      .angular_velocity = 0.5,
                                      .mass = 4,
                                      .inertia = 0.25});
-    scene.add_event({.time = 0, .action = PushBody{.body = box_id, .impulse = {2, -6}, .point = {0.5, 0}}});
+    scene.add({.time = 0, .action = PushBody{.body = box_id, .impulse = {2, -6}, .point = {0.5, 0}}});
     World<Real> world(scene);
     take_steps(world, 1);
     const Vec3<Real>& velocity = world.bodies().velocity[box_id];
@@ -97,7 +97,7 @@ TEST_CASE("an impulse changes a velocity by J / m and its turning by r x J / I, 
 TEST_CASE("an impulse at the centre of what never turns does not turn it") {
   Scene scene({.gravity = {0, 0}, .dt = event_dt});
   const BodyId disc = scene.add({.shapes = {circle(1)}, .mass = 2, .fixed_rotation = true});
-  scene.add_event({.time = 0, .action = PushBody{.body = disc, .impulse = {2, 0}, .point = {0, 1}}});
+  scene.add({.time = 0, .action = PushBody{.body = disc, .impulse = {2, 0}, .point = {0, 1}}});
   World<double> world(scene);
   take_steps(world, 1);
   CHECK(world.bodies().velocity[disc] == Vec3<double>(1, 0, 0));
@@ -105,9 +105,9 @@ TEST_CASE("an impulse at the centre of what never turns does not turn it") {
 
 TEST_CASE("a motor that is switched reaches its speed with its torque, and one that is off turns freely") {
   MotorWheel of;
-  of.scene.add_event({.time = 0.25, .action = SwitchMotor{of.axle, JointMotor{.speed = 2, .max_force = 4}}});
-  of.scene.add_event({.time = 1, .action = SwitchMotor{of.axle, {}}});
-  of.scene.add_event({.time = 1, .action = PushBody{.body = of.wheel, .impulse = {0, 1}, .point = {1, 0}}});
+  of.scene.add({.time = 0.25, .action = SwitchMotor{of.axle, JointMotor{.speed = 2, .max_force = 4}}});
+  of.scene.add({.time = 1, .action = SwitchMotor{of.axle, {}}});
+  of.scene.add({.time = 1, .action = PushBody{.body = of.wheel, .impulse = {0, 1}, .point = {1, 0}}});
   World<double> world(of.scene);
   const auto turning = [&] { return world.bodies().velocity[of.wheel].z(); };
   take_steps(world, 16);
@@ -128,7 +128,7 @@ TEST_CASE("the motor of a slide is switched likewise") {
   Scene scene({.gravity = {0, 0}, .dt = event_dt});
   const BodyId slider = scene.add({.shapes = {box(1, 1)}, .mass = 2});
   const JointId slide = scene.join<PrismaticJoint>({.b = slider, .axis = {1, 0}});
-  scene.add_event({.time = 0, .action = SwitchMotor{slide, JointMotor{.speed = 0.75, .max_force = 4}}});
+  scene.add({.time = 0, .action = SwitchMotor{slide, JointMotor{.speed = 0.75, .max_force = 4}}});
   World<double> world(scene);
   take_steps(world, 16);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(4.0 / 2 * 0.25).epsilon(event_rounding));
@@ -146,7 +146,7 @@ TEST_CASE("what an event touches wakes up, and nothing else") {
     const SceneAction actions[] = {PushBody{.body = disc, .impulse = {0, 1}, .point = {1, 0}},
                                    SwitchMotor{axle, JointMotor{.speed = 1, .max_force = 10}},
                                    RemoveJoint{axle}};
-    scene.add_event({.time = 1, .action = actions[kind]});
+    scene.add({.time = 1, .action = actions[kind]});
     World<double> world(scene);
     take_steps(world, 64);
     REQUIRE_FALSE(world.is_awake(disc));
@@ -158,7 +158,7 @@ TEST_CASE("what an event touches wakes up, and nothing else") {
 
 TEST_CASE("a world that is copied before an event goes on as the other, and the problem ahead has it in it") {
   HeldDisc of;
-  of.scene.add_event({.time = 0.125, .action = RemoveJoint{of.weld}});
+  of.scene.add({.time = 0.125, .action = RemoveJoint{of.weld}});
   World<double> world(of.scene);
   take_steps(world, 8);
   const World<double> before = world;
@@ -176,7 +176,7 @@ TEST_CASE("steps of 1/60 s, whose sums are rounded, bring an event neither early
     CAPTURE(step);
     Scene scene({.gravity = {0, 0}});
     const BodyId disc = scene.add({.shapes = {circle(1)}});
-    scene.add_event({.time = step / 60.0, .action = PushBody{.body = disc, .impulse = {1, 0}}});
+    scene.add({.time = step / 60.0, .action = PushBody{.body = disc, .impulse = {1, 0}}});
     World<double> world(scene);
     take_steps(world, step);
     CHECK(world.bodies().velocity[disc].x() == 0);
@@ -187,9 +187,9 @@ TEST_CASE("steps of 1/60 s, whose sums are rounded, bring an event neither early
 
 TEST_CASE("an event is forgotten with its body or its joint") {
   HangingChain chain;
-  chain.scene.add_event({.time = 1, .action = PushBody{.body = {3}, .impulse = {1, 0}}});
-  chain.scene.add_event({.time = 2, .action = RemoveJoint{chain.joints[0]}});
-  chain.scene.add_event({.time = 0.5, .action = RemoveJoint{chain.joints[3]}});
+  chain.scene.add({.time = 1, .action = PushBody{.body = {3}, .impulse = {1, 0}}});
+  chain.scene.add({.time = 2, .action = RemoveJoint{chain.joints[0]}});
+  chain.scene.add({.time = 0.5, .action = RemoveJoint{chain.joints[3]}});
   REQUIRE(chain.scene.events().size() == 3);
   CHECK(chain.scene.events()[0].time == 0.5);
   chain.scene.remove(BodyId{3});  // with joint 3
@@ -202,19 +202,18 @@ TEST_CASE("an event is forgotten with its body or its joint") {
 TEST_CASE("events that cannot be are refused") {
   HeldDisc of;
   const auto refusal = [&](double time, const SceneAction& action) {
-    return edit_refusal([&] { of.scene.add_event({.time = time, .action = action}); });
+    return edit_refusal([&] { of.scene.add({.time = time, .action = action}); });
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(refusal(-1, RemoveBody{of.disc}) == "Scene::add_event: time must be finite and >= 0 s, got -1");
-  CHECK(refusal(nan, RemoveBody{of.disc}) == "Scene::add_event: time must be finite and >= 0 s, got nan");
+  CHECK(refusal(-1, RemoveBody{of.disc}) == "Scene::add: time must be finite and >= 0 s, got -1");
+  CHECK(refusal(nan, RemoveBody{of.disc}) == "Scene::add: time must be finite and >= 0 s, got nan");
   CHECK(refusal(1, RemoveBody{ground}) ==
-        "Scene::add_event: body must be the id of a body other than the ground, got 0");
-  CHECK(refusal(1, RemoveJoint{{7}}) ==
-        "Scene::add_event: joint must be the id of a joint of this scene, got 7");
+        "Scene::add: body must be the id of a body other than the ground, got 0");
+  CHECK(refusal(1, RemoveJoint{{7}}) == "Scene::add: joint must be the id of a joint of this scene, got 7");
   CHECK(refusal(1, PushBody{.body = of.disc, .impulse = {nan, 0}}).find("impulse") != std::string::npos);
   CHECK(refusal(1, SwitchMotor{of.weld, {}}) ==
-        "Scene::set_motor: joint must be one that can have a motor, got weld");
+        "Scene::add: joint must be one that can have a motor, got weld");
   const BodyId wall = of.scene.add({.type = BodyType::static_body});
-  CHECK(refusal(1, PushBody{.body = wall}) == "Scene::add_event: body must be a dynamic one, got 2");
+  CHECK(refusal(1, PushBody{.body = wall}) == "Scene::add: body must be a dynamic one, got 2");
   CHECK(of.scene.events().empty());
 }

@@ -60,7 +60,7 @@ List<FailingScene> failing_scenes(int substeps) {
     cases.push_back({leaning_wall(settings)});
     settings.sleeping = Sleeping{};
     Scene yard = Yard(settings).scene;
-    for (int i = 0; i < 4; ++i) yard.add_event({.time = 0.5 + 0.1 * i, .action = RemoveBody{BodyId{1 + i}}});
+    for (int i = 0; i < 4; ++i) yard.add({.time = 0.5 + 0.1 * i, .action = RemoveBody{BodyId{1 + i}}});
     cases.push_back({yard, [](World<double>& world) {
                        world.move_hand(HandInput::grab({.body = BodyId{9}, .target = {3, 7}}));
                      }});

@@ -226,7 +226,7 @@ TEST_CASE("a step tells how many joints are apart by more than a body, and how m
     Scene scene({.gravity = {0, 0}});
     const BodyId pinned = scene.add({.shapes = {circle(0.2)}, .position = {5, 0}});
     scene.join<RevoluteJoint>({.a = ground, .b = pinned, .anchor = {5, 0}});
-    scene.displace(pinned, {0.2 * share, 0});
+    displace(scene, pinned, {0.2 * share, 0});
     scene.add({.shapes = {box(1, 1)}});
     scene.add({.shapes = {box(1, 2)}, .position = {1 - 0.5 * share, 0}});
     World<double> world(scene);

@@ -69,7 +69,7 @@ struct Meddler final : SolveObserver<double> {
 
 World<double> held_yard() {
   Scene scene = Yard().scene;
-  scene.add_event({.time = 10.5 / 60, .action = RemoveBody{BodyId{3}}});
+  scene.add({.time = 10.5 / 60, .action = RemoveBody{BodyId{3}}});
   World<double> world(scene);
   run_steps(world, 10);
   world.move_hand(HandInput::grab({.body = BodyId{2}, .target = {1, 5}}));

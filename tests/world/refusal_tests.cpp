@@ -196,17 +196,16 @@ TEST_CASE("a joint needs two different bodies of the scene, of which one can mov
   CHECK(message_of([&] { pin({3}, {1}); }) == "Scene::join: a must be the id of a body of this scene, got 3");
   CHECK(message_of([&] { pin({1}, {-1}); }) ==
         "Scene::join: b must be the id of a body of this scene, got -1");
-  CHECK(message_of([] { Scene().add_joint(nullptr); }) ==
-        "Scene::add_joint: joint must be a constraint, got nullptr");
+  CHECK(message_of([] { Scene().join(nullptr); }) == "Scene::join: joint must be a constraint, got nullptr");
   Scene scene;
   const BodyId lift = scene.add({.type = BodyType::kinematic, .shapes = {circle(1)}});
   CHECK(message_of([&] { scene.join<RevoluteJoint>({.a = ground, .b = lift}); }) ==
-        "Scene::add_joint: bodies must be at least one that can move, got 0, 1");
+        "Scene::join: bodies must be at least one that can move, got 0, 1");
 }
 
 TEST_CASE("a dynamic body needs a mass and an inertia, from its shapes or of its own") {
   const Shape<double> line = segment({0, 0}, {1, 0});
-  CHECK(message_of([] { Scene().add({}); }) ==
+  CHECK(message_of([] { Scene().add(BodySpec{}); }) ==
         "Scene::add: shapes must be of some area for a dynamic body without a mass of its own, got 0");
   CHECK(message_of([&] { Scene().add({.shapes = {line}, .mass = 1}); }) ==
         "Scene::add: inertia must be given for a dynamic body whose shapes have no area, unless its rotation "

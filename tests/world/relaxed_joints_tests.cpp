@@ -47,7 +47,7 @@ Scene level_chain(int links, double open, const SceneSettings& settings) {
     scene.join<RevoluteJoint>({.a = before, .b = link, .anchor = {1.0 * i, 0}});
     before = link;
   }
-  for (int i = 0; i < links && open > 0; ++i) scene.displace({i + 1}, {open * (i + 1), 0});
+  for (int i = 0; i < links && open > 0; ++i) displace(scene, {i + 1}, {open * (i + 1), 0});
   return scene;
 }
 

@@ -40,7 +40,7 @@ TEST_CASE("a displaced body is moved, and turned about its centre of mass, with 
   const Vec2<double> center(2, 1);
   Scene scene;
   const BodyId body = scene.add({.shapes = {circle(0.5, center)}, .position = {10, 20}});
-  scene.displace(body, {0.25, -0.5}, pi / 2);
+  displace(scene, body, {0.25, -0.5}, pi / 2);
   const SceneBody& now = scene.bodies()[{1}];
   // Sums of a few numbers of 20 m.
   const double tolerance = 64 * std::numeric_limits<double>::epsilon() * 20;
@@ -57,7 +57,7 @@ TEST_CASE("a joint whose body is displaced begins with the error of that displac
   Scene scene;
   const BodyId bob = scene.add({.shapes = {circle(0.5)}, .position = {0, -2}});
   scene.join<DistanceJoint>({.a = ground, .b = bob, .anchor_a = {0, 0}, .anchor_b = {0, -2}});
-  scene.displace(bob, {0, -0.125});
+  displace(scene, bob, {0, -0.125});
   const World world(scene);
   CHECK(snapshot(world).joints[0].drift == 0.125);
 }
@@ -65,12 +65,12 @@ TEST_CASE("a joint whose body is displaced begins with the error of that displac
 TEST_CASE("what cannot be displaced is refused by name") {
   Scene scene;
   const BodyId body = scene.add({.shapes = {circle(1)}});
-  CHECK_THROWS_WITH_AS(scene.displace(ground, {0, 0}),
-                       "Scene::displace: body must be the id of a body other than the ground, got 0",
+  CHECK_THROWS_WITH_AS(displace(scene, ground, {0, 0}),
+                       "displace: body must be the id of a body other than the ground, got 0",
                        std::invalid_argument);
-  CHECK_THROWS_AS(scene.displace({2}, {0, 0}), std::invalid_argument);
-  CHECK_THROWS_AS(scene.displace({-1}, {0, 0}), std::invalid_argument);
-  CHECK_THROWS_AS(scene.displace(body, {NAN, 0}), std::invalid_argument);
-  CHECK_THROWS_AS(scene.displace(body, {0, 0}, INFINITY), std::invalid_argument);
+  CHECK_THROWS_AS(displace(scene, {2}, {0, 0}), std::invalid_argument);
+  CHECK_THROWS_AS(displace(scene, {-1}, {0, 0}), std::invalid_argument);
+  CHECK_THROWS_AS(displace(scene, body, {NAN, 0}), std::invalid_argument);
+  CHECK_THROWS_AS(displace(scene, body, {0, 0}, INFINITY), std::invalid_argument);
   CHECK(scene.bodies()[{1}].pose.position == Vec2<double>(0, 0));
 }

@@ -142,7 +142,7 @@ TEST_CASE("copies of a scene have the same bodies until one of them is changed")
   scene.add({.shapes = {box(1, 1)}});
   const World world(scene);
   CHECK(&world.scene().bodies() == &scene.bodies());
-  scene.displace({1}, {3, 0});
+  displace(scene, {1}, {3, 0});
   CHECK(scene.bodies()[{1}].pose.position == Vec2<double>(3, 0));
   CHECK(world.scene().bodies()[{1}].pose.position == Vec2<double>(0, 0));
 }

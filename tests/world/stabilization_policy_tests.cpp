@@ -163,7 +163,7 @@ TEST_CASE("a joint with a spring of its own gives way by it under the policy sof
       bobs.push_back(scene.add({.shapes = {circle(0.1)}, .position = {x, -1}}));
       const JointId rod =
           scene.join<DistanceJoint>({.a = ground, .b = bobs.back(), .anchor_a = {x, 0}, .anchor_b = {x, -1}});
-      if (x == 1) scene.set_joint_soft(rod, own);
+      if (x == 1) scene.change(rod, own);
     }
     World<double> world(scene);
     SequentialImpulse<double> solver;
@@ -185,9 +185,9 @@ TEST_CASE("a joint's spring out of range, or of no joint, is refused") {
   Scene scene;
   const JointId rod =
       scene.join<DistanceJoint>({.b = scene.add({.shapes = {circle(1)}}), .anchor_a = {0, 2}});
-  CHECK_THROWS_AS(scene.set_joint_soft(rod, {.frequency = 0}), std::invalid_argument);
-  CHECK_THROWS_AS(scene.set_joint_soft({1}, {.frequency = 5}), std::invalid_argument);
-  CHECK(scene.joint_soft(0) == scene.settings().stabilization.joint_soft);
+  CHECK_THROWS_AS(scene.change(rod, {.frequency = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(scene.change({1}, {.frequency = 5}), std::invalid_argument);
+  CHECK_FALSE(scene.joints().soft(0));
 }
 
 TEST_CASE("n substeps are n steps of dt / n, bit for bit") {

@@ -140,10 +140,10 @@ TEST_CASE("joints that stay keep their impulses when others are removed and adde
   Yard yard;
   World<double> world(yard.scene);
   run_steps(world, 30);
-  const JointId first = world.scene().joint_id(0);
+  const JointId first = world.scene().joints().id(0);
   world.edit([&](Scene& scene) { scene.remove(yard.pin); });
   CHECK(world.scene().joints().size() == 3);
-  CHECK(world.scene().joint_id(0) == first);
+  CHECK(world.scene().joints().id(0) == first);
   const auto joints_found_again = [&] {
     run_steps(world, 1);
     const auto& is_new = world.last_step().is_new;
@@ -160,7 +160,7 @@ TEST_CASE("a body that is put elsewhere begins there, and one that is not keeps 
   World<double> world(yard.scene);
   run_steps(world, 50);
   World<double> edited = world;
-  edited.edit([&](Scene& scene) { scene.displace(yard.lonely, {0, 3}); });
+  edited.edit([&](Scene& scene) { displace(scene, yard.lonely, {0, 3}); });
   CHECK(edited.bodies().pose[yard.lonely].position.y() ==
         doctest::Approx(world.bodies().pose[yard.lonely].position.y() + 3));
   for (const BodyId body : yard.pile) {

@@ -108,7 +108,7 @@ List<Pin> pins_of(const Scene& scene) {
     pin.lower = limit_of(*joint, pin.b, -far_turned, poses);
     pin.upper = limit_of(*joint, pin.b, far_turned, poses);
     require(pin.lower.has_value() == pin.upper.has_value(), "the peers", "limits", "both or neither", "one");
-    pin.touch = !std::binary_search(scene.apart().begin(), scene.apart().end(),
+    pin.touch = !std::binary_search(scene.joints().apart().begin(), scene.joints().apart().end(),
                                     std::pair<BodyId, BodyId>(std::minmax(pin.a, pin.b)));
     pins.push_back(pin);
   }
