@@ -23,7 +23,7 @@ VelocityProblem<double> stacks(int count) {
   scene.add_ground();
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k <= i; ++k)
-      scene.add({.shapes = {box(1, 1)}, .density = k == i ? 30.0 : 1.0, .position = {3.0 * i, 0.5 + k}});
+      scene.add({.shapes = {box(1, 1)}, .position = {3.0 * i, 0.5 + k}, .density = k == i ? 30.0 : 1.0});
   }
   World<double> world(scene);
   return world.velocity_problem();
