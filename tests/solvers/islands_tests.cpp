@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "constraints/converted.hpp"
@@ -114,23 +114,32 @@ TEST_CASE_TEMPLATE("Newton's method gives an island the same bits whatever is be
   }
 }
 
-TEST_CASE("an island keeps its answer while others come, change and go") {
+TEST_CASE("an island keeps its answer while others change and go") {
   const VelocityProblem<double> start = stacks(4);
   NewtonSolver<double> solver({.iterations = 30, .tolerance = 1e-9});
-  VelocityProblem<double> problem = start;
-  CHECK(solver.solve(problem).iterations > 0);
-  // As warm as before, but for the highest stack, which is pushed down; its four contacts are 16 of 40 rows.
+  VelocityProblem<double> first = start;
+  CHECK(solver.solve(first).iterations > 0);
+  // As warm as before, but for the highest stack, which is pushed down.
   VelocityProblem<double> pushed = start;
-  pushed.impulse = problem.impulse;
+  pushed.impulse = first.impulse;
   pushed.velocity.back().y() -= 1;
-  const SolveReport one = solver.solve(pushed);
-  CHECK(one.converged);
-  for (int row = 0; row < start.row_count() - 16; ++row)
-    CHECK(pushed.impulse[row] == doctest::Approx(problem.impulse[row]).epsilon(4e-16));
-  CHECK(pushed.impulse.back() != problem.impulse.back());
-  // Without the highest stack.
+  CHECK(solver.solve(pushed).converged);
+  Islands islands;
+  islands.find(start);
+  for (int i = 0; i < islands.count(); ++i) {
+    IslandProblem<double> island;
+    islands.copy(i, start, island);
+    bool is_same = true;
+    for (const int row : island.rows)
+      is_same = is_same && pushed.impulse[row] == doctest::Approx(first.impulse[row]).epsilon(4e-16);
+    CHECK(is_same == (i < 3));
+  }
+  // Without the highest stack: its rows have the same names.
   VelocityProblem<double> fewer = stacks(3);
-  for (int row = 0; row < fewer.row_count(); ++row) fewer.impulse[row] = problem.impulse[row];
+  for (int row = 0; row < fewer.row_count(); ++row) {
+    for (int k = 0; k < start.row_count(); ++k)
+      if (start.rows[k].key == fewer.rows[row].key) fewer.impulse[row] = first.impulse[k];
+  }
   const SolveReport rest = solver.solve(fewer);
   CHECK(rest.iterations == 0);
   CHECK(rest.converged);
@@ -141,7 +150,7 @@ TEST_CASE("of several islands the worst is told, and a NaN is the worst") {
   problem.velocity[{1}].y() = std::numeric_limits<double>::quiet_NaN();
   const SolveReport report = NewtonSolver<double>({.iterations = 30}).solve(problem);
   CHECK_FALSE(report.converged);
-  CHECK(*report.residual != *report.residual);
+  CHECK_FALSE(std::isfinite(*report.residual));
   for (const BodyId body : problem.velocity.indices())
     if (body.index > 1) CHECK(problem.velocity[body].allFinite());
 }

@@ -15,7 +15,8 @@ namespace {
 // Softness, of rows with ones on the diagonal.
 constexpr double least_warm_softness = 1e-6;
 // Beside R_E: a row that is softer by epsilon answers what is left of its speed by an impulse of 1 / epsilon
-// times that, and where that is not small beside its own, it changes sides.
+// times that, and where that is not small beside its own, it changes sides. Where nothing pushes yet, nothing
+// can.
 constexpr double warm_softness = 100;
 constexpr double kept_softness = 10;  // for which factors of before are used again
 constexpr double cold_softness = 1e-2;
@@ -140,10 +141,15 @@ void IslandNewton::sweep(const VelocityProblem<double>& problem, int sweeps) {
   note_center();
 }
 
+double IslandNewton::first_softness() const {
+  const double left = center_.size() > 0 ? residual_ : 0.0;
+  const bool are_kept = factors_.are_for(rows_) && factors_.softness() > 0;
+  if (are_kept && factors_.softness() >= kept_softness * left) return factors_.softness();
+  return std::clamp(warm_softness * left, least_warm_softness, cold_softness);
+}
+
 void IslandNewton::approach(const VelocityProblem<double>& problem) {
-  double softness = std::clamp(warm_softness * residual_, least_warm_softness, cold_softness);
-  if (factors_.are_for(rows_) && factors_.softness() > 0 && factors_.softness() >= kept_softness * residual_)
-    softness = factors_.softness();
+  double softness = first_softness();
   int failures = 0, idle = 0, sweeps = first_sweeps;
   while (best_.residual > goal() && failures < most_failures) {
     const double before = best_.residual;

@@ -67,6 +67,7 @@ class IslandNewton {
   void approach(const VelocityProblem<double>& problem);
   void sweep(const VelocityProblem<double>& problem, int sweeps);
   double goal() const;
+  double first_softness() const;
   double enough() const;
   double rounding() const;
   double rounding_of_answer() const;

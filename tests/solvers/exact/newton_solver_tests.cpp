@@ -222,6 +222,29 @@ TEST_CASE("a pile at rest is solved once: no contact changes sides by what is le
   }
 }
 
+TEST_CASE("a ball that rolls over a pile at rest moves no contact of the pile to its other side") {
+  // Its rows change a little in each step, and so does the answer; as rigid as rows begin at rest, that
+  // little took ten systems in each.
+  const int base = 10;
+  Scene scene;
+  scene.add_ground();
+  for (int row = 0; row < base; ++row) {
+    for (int i = 0; i < base - row; ++i)
+      scene.add({.shapes = {box(1, 1)}, .position = {i - 0.5 * (base - row - 1), 0.5 + row}});
+  }
+  scene.add(
+      {.shapes = {circle(0.1)}, .position = {-4.9, 1.1}, .velocity = {0.05, 0}, .angular_velocity = -0.5});
+  World<double> world(scene);
+  NewtonSolver<double> solver({.iterations = 20, .tolerance = 1e-6});
+  int steps_with_systems = 0;
+  for (int step = 0; step < 100; ++step) {
+    const StepReport report = world.step(solver);
+    CHECK(report.unfinished == 0);
+    steps_with_systems += report.solve.iterations > 0;
+  }
+  CHECK(steps_with_systems <= 10);
+}
+
 TEST_CASE("Newton's method slides and sticks as Coulomb says") {
   const double weight = speed_of_a_step;  // [N s] of 1 kg
   for (const double speed : {0.01, 0.09, 0.2, 3.0}) {
@@ -278,20 +301,4 @@ TEST_CASE("where all rests and no row asks for anything, Newton's method drops t
   NewtonSolver<double>({.iterations = 20}).solve(problem);
   for (const double impulse : problem.impulse) CHECK(impulse == 0);
   for (const Vec3<double>& v : problem.velocity) CHECK(v.isZero(0));
-}
-
-TEST_CASE("the farther the warm start is off, the softer rows begin: a push need not move a pile's contacts") {
-  // A stack at rest, whose answer is pushed off by so much of its scale: one system leads back.
-  VelocityProblem<double> solved = loaded_stack(30, 100);
-  const VelocityProblem<double> start = solved;
-  NewtonSolver<double>({.iterations = 30, .tolerance = 1e-9}).solve(solved);
-  for (const double off : {1e-7, 1e-5, 1e-3}) {
-    CAPTURE(off);
-    VelocityProblem<double> near = start;
-    near.impulse = solved.impulse;
-    near.impulse[15] += off * exact_scale(start) / std::sqrt(inverse_effective_mass(start, start.rows[15]));
-    const SolveReport report = NewtonSolver<double>({.iterations = 30, .tolerance = 1e-9}).solve(near);
-    CHECK(report.converged);
-    CHECK(report.iterations == 1);
-  }
 }
