@@ -68,7 +68,7 @@ SolveReport IslandNewton::solve(VelocityProblem<double>& problem) {
 void IslandNewton::give_answer(VelocityProblem<double>& problem) {
   problem.impulse = best_.impulse;
   if (!std::isfinite(best_.residual)) return apply_impulses(problem);
-  if (residual_ != best_.residual) center_.go_to(rows_, best_.impulse);
+  if (residual() != best_.residual) center_.go_to(rows_, best_.impulse);
   for (const BodyId body : problem.velocity.indices())
     problem.velocity[body] = rows_.velocity_of(body, problem.velocity[body], center_.u());
 }
@@ -111,7 +111,7 @@ void IslandNewton::answer(const VelocityProblem<double>& problem, bool again) {
   note_center();
   // Nothing can be said of what is no number.
   const double good_start = std::max(goal(), rounding_of_answer());
-  if (settings_.iterations > 0 && residual_ > good_start && std::isfinite(residual_)) approach(problem);
+  if (settings_.iterations > 0 && residual() > good_start && std::isfinite(residual())) approach(problem);
 }
 
 /// Whether what it gave before answers the rows as they are now.
@@ -120,14 +120,12 @@ bool IslandNewton::last_is_answer() {
   center_.stay(rows_);
   best_.residual = std::numeric_limits<double>::infinity();
   note_center();
-  return residual_ <= std::max(goal(), enough());
+  return residual() <= std::max(goal(), enough());
 }
 
 void IslandNewton::note_center() {
-  const double error = center_.error();
-  residual_ = error == 0 ? 0 : error / rows_.scale();
-  if (!(residual_ < best_.residual)) return;
-  best_.residual = residual_;
+  if (!(residual() < best_.residual)) return;
+  best_.residual = residual();
   rows_.copy_impulses(center_.x(), best_.impulse);
 }
 
@@ -141,8 +139,13 @@ void IslandNewton::sweep(const VelocityProblem<double>& problem, int sweeps) {
   note_center();
 }
 
+double IslandNewton::residual() const {
+  const double error = center_.error();
+  return error == 0 ? 0 : error / rows_.scale();
+}
+
 double IslandNewton::first_softness() const {
-  const double left = center_.size() > 0 ? residual_ : 0.0;
+  const double left = center_.size() > 0 ? residual() : 0.0;
   const bool are_kept = factors_.are_for(rows_) && factors_.softness() > 0;
   if (are_kept && factors_.softness() >= kept_softness * left) return factors_.softness();
   return std::clamp(warm_softness * left, least_warm_softness, cold_softness);
@@ -198,7 +201,7 @@ void IslandNewton::go_on() {
 
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
 bool IslandNewton::solve_softened(int most_systems) {
-  const double small = std::max(1e-2 * residual_, 1e-1 * goal()) * rows_.scale();
+  const double small = std::max(1e-2 * residual(), 1e-1 * goal()) * rows_.scale();
   const int last_system = std::min(settings_.iterations, systems_ + most_systems);
   return steps_.solve(at(), small, steps_of_one_problem,
                       [&] { return take_kept_step() || (systems_ < last_system && take_new_step()); });

@@ -66,6 +66,8 @@ class IslandNewton {
   void give_answer(VelocityProblem<double>& problem);
   void approach(const VelocityProblem<double>& problem);
   void sweep(const VelocityProblem<double>& problem, int sweeps);
+  /// R_E at the centre.
+  double residual() const;
   double goal() const;
   double first_softness() const;
   double enough() const;
@@ -90,7 +92,6 @@ class IslandNewton {
   InteriorRows interior_;
   SlopeFactors factors_;           // of the last system, in this solve or in an earlier one
   Vector<double> change_;          // a step of Newton's method
-  double residual_ = 0;            // R_E at the centre
   PerRow<double> inside_;          // [N s] impulses on the way through the interior
   VelocityProblem<double> swept_;  // a copy for sweeps
   Best best_;

@@ -42,6 +42,16 @@ VelocityProblem<double> pushed_box(double speed) {
   return problem;
 }
 
+Scene pyramid(int base) {
+  Scene scene;
+  scene.add_ground();
+  for (int row = 0; row < base; ++row) {
+    for (int i = 0; i < base - row; ++i)
+      scene.add({.shapes = {box(1, 1)}, .position = {i - 0.5 * (base - row - 1), 0.5 + row}});
+  }
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("Newton's method carries every stack exactly, 100 boxes or a load of 1000 t, in a few systems") {
@@ -208,14 +218,7 @@ TEST_CASE("what is solved again keeps its answer where that answers it too, from
 TEST_CASE("a pile at rest is solved once: no contact changes sides by what is left over") {
   for (const int base : {2, 5, 10, 15}) {
     CAPTURE(base);
-    Scene scene;
-    scene.add_ground();
-    for (int row = 0; row < base; ++row) {
-      for (int i = 0; i < base - row; ++i) {
-        scene.add({.shapes = {box(1, 1)}, .position = {i - 0.5 * (base - row - 1), 0.5 + row}});
-      }
-    }
-    World<double> world(scene);
+    World<double> world(pyramid(base));
     NewtonSolver<double> solver({.iterations = 50, .tolerance = 1e-6});
     CHECK(world.step(solver).solve.converged);
     for (int step = 1; step < 100; ++step) CHECK(world.step(solver).solve.iterations == 0);
