@@ -127,20 +127,12 @@ void draw_rod(Page& page, const Point& from, const Point& to) {
   page.canvas().line(from, to, {.width = gap, .color = page.theme().background});
 }
 
+/// Joints of angles and velocities have no line that shows them: their bodies do.
 bool is_seen(const Camera& camera, const SnapshotJoint& joint) {
-  return is_finite(camera, joint.anchor_a) && is_finite(camera, joint.anchor_b) &&
+  return joint.traits.holds_points && is_finite(camera, joint.anchor_a) &&
+         is_finite(camera, joint.anchor_b) &&
          std::all_of(joint.between.begin(), joint.between.end(),
                      [&](const Vec2<double>& point) { return is_finite(camera, point); });
-}
-
-/// Joints of angles and velocities, which have no line that shows them: their bodies do.
-bool is_out_of_sight(const SnapshotJoint& joint) {
-  return joint.name == "gear" || joint.name == "differential" || joint.name == "friction";
-}
-
-/// Rods, ropes and springs.
-bool is_line(const SnapshotJoint& joint) {
-  return joint.name == "rod" || joint.name == "rope" || joint.name == "spring" || joint.name == "pulley";
 }
 
 /// The way of a rope over what is between its ends.
@@ -229,10 +221,10 @@ void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, c
 
 void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot) {
   for (const SnapshotJoint& joint : snapshot.joints) {
-    if (!is_seen(camera, joint) || is_out_of_sight(joint)) continue;
+    if (!is_seen(camera, joint)) continue;
     const Point from = camera.project(joint.anchor_a);
     const Point to = camera.project(joint.anchor_b);
-    if (is_line(joint)) {
+    if (joint.traits.is_line) {
       const List<Point> way = way_of(camera, joint);
       for (int i = 1; i < way.size(); ++i) draw_rod(page, way[i - 1], way[i]);
       continue;
@@ -249,11 +241,11 @@ void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot
 
 void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot) {
   for (const SnapshotJoint& joint : snapshot.joints) {
-    if (!is_seen(camera, joint) || is_out_of_sight(joint)) continue;
+    if (!is_seen(camera, joint)) continue;
     const Point from = camera.project(joint.anchor_a);
     const Point to = camera.project(joint.anchor_b);
     const bool is_apart = (to - from).norm() > 2;
-    if (is_line(joint)) {
+    if (joint.traits.is_line) {
       page.canvas().circle(from, 0.7 * page.sizes().joint, {.fill = page.theme().joint});
       page.canvas().circle(to, 0.7 * page.sizes().joint, {.fill = page.theme().joint});
       for (const Vec2<double>& roller : joint.between) draw_ring(page, camera.project(roller));

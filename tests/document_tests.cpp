@@ -33,7 +33,7 @@ std::string without_margins(const std::string& line) {
 /// The documents of the project: what ends in .md, without what is built or downloaded.
 List<fs::path> documents() {
   List<fs::path> files = {document_root / "README.md"};
-  for (const char* folder : {"src", "lessons", "tests", "render", "playground"}) {
+  for (const char* folder : {"src", "lessons", "tests", "render"}) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(document_root / folder)) {
       if (entry.path().extension() == ".md") files.push_back(entry.path());
     }

@@ -38,7 +38,7 @@ std::string led_on(const std::string& target, const TextPlaces& places) {
 /// A paragraph that is a link to the playground, with a scene and settings as its title, is the playground
 /// itself; or, where there is none, says how to have it.
 std::string with_playgrounds(const std::string& html, const TextPlaces& places) {
-  const std::string open = "<p><a href=\"../../playground/README.md\" title=\"";
+  const std::string open = "<p><a href=\"../playground/README.md\" title=\"";
   return replaced(html, open, "</a></p>", [&places](const std::string& link) {
     const std::string address = link.substr(0, link.find('"'));
     if (!places.has_playground) {

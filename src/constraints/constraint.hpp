@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include "constraints/joint_traits.hpp"
 #include "constraints/row_writer.hpp"
 #include "dynamics/placements.hpp"
 #include "math/list.hpp"
@@ -54,6 +55,9 @@ class Constraint {
   /// What it is called, as in scene files: "rod", "rope", "spring", "revolute", "prismatic", "weld",
   /// "pulley", "gear", "differential", "drag", "friction".
   virtual std::string name() const = 0;
+
+  /// That of its kind.
+  virtual JointTraits traits() const { return {}; }
 
   /// Where it is fastened, in the order of the line that it would be drawn as.
   virtual List<Attachment> attachments() const = 0;

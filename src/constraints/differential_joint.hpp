@@ -26,6 +26,7 @@ class DifferentialJoint final : public ConstraintOf<DifferentialJoint> {
   DifferentialJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "differential"; }
+  JointTraits traits() const override { return {.holds_points = false}; }
   /// The middles of the bodies: a shaft, the case, the other shaft.
   List<Attachment> attachments() const override { return {{.body = a_}, {.body = c_}, {.body = b_}}; }
 

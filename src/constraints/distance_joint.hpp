@@ -40,6 +40,7 @@ class DistanceJoint final : public ConstraintOf<DistanceJoint> {
 
   /// "rod", "rope" or "spring".
   std::string name() const override;
+  JointTraits traits() const override { return {.is_line = true}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
   /// Whether it is a rod, a rope or a spring.
   Kind kind() const { return kind_; }

@@ -49,6 +49,7 @@ class FrictionJoint final : public ConstraintOf<FrictionJoint> {
   FrictionJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "friction"; }
+  JointTraits traits() const override { return {.holds_points = false}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
   bool bodies_collide() const override { return true; }
 

@@ -33,6 +33,7 @@ class GearJoint final : public ConstraintOf<GearJoint> {
   GearJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "gear"; }
+  JointTraits traits() const override { return {.holds_points = false}; }
   /// The middles of the wheels.
   List<Attachment> attachments() const override { return {{.body = a_}, {.body = b_}}; }
 

@@ -18,8 +18,9 @@ namespace cairn {
 ///   upper limit    C = upper - s >= 0,  j = -j_s,  impulse >= 0
 ///   motor          no C,                j = j_s,   j v = speed, |impulse| <= max_force dt
 /// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Its geometric
-/// stiffness is that of a pin with these arms. As b slides, the force also moves along a: that couples sliding
-/// with turning, has no place on a diagonal, and is left out. Source: the derivative of C, with dn/dt = w_a x n; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
+/// stiffness is that of a pin with these arms. As b slides, the force also moves along a: that couples
+/// sliding with turning, has no place on a diagonal, and is left out. Source: the derivative of C, with dn/dt
+/// = w_a x n; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
 class PrismaticJoint final : public ConstraintOf<PrismaticJoint> {
  public:
   /// Drives the slide.

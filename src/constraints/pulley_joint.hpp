@@ -25,8 +25,8 @@ namespace cairn {
 ///
 /// A rope has its row while it has less slack than slack_margin. Where an anchor is at its roller, the
 /// direction is not defined, and no row is written. Each part has the geometric stiffness of a line
-/// (add_line_stiffness), r_i times; the arm on a drum does not turn, and has none. Source: the derivative of C; the ratios are those of
-/// E. Catto, Box2D's pulley joint (2007).
+/// (add_line_stiffness), r_i times; the arm on a drum does not turn, and has none. Source: the derivative of
+/// C; the ratios are those of E. Catto, Box2D's pulley joint (2007).
 class PulleyJoint final : public ConstraintOf<PulleyJoint> {
  public:
   /// Whether the rope only pulls, or is a belt that pushes too.
@@ -57,6 +57,7 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
   PulleyJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "pulley"; }
+  JointTraits traits() const override { return {.is_line = true, .is_over_ground = true}; }
   /// From the first anchor over its roller to the next roller and down to its anchor, and so on.
   List<Attachment> attachments() const override;
   bool bodies_collide() const override { return true; }

@@ -16,7 +16,8 @@ namespace cairn {
 ///   upper limit  C = upper - q >= 0,  j = -j_q,  impulse >= 0
 ///   motor        no C,                j = j_q,   j v = speed, |impulse| <= max_torque dt
 /// A limit has a row while it is nearer than limit_margin, and a motor when there is one. Its geometric
-/// stiffness is that of a pin (add_pin_stiffness). Source: the derivative of C; the bounds as in E. Catto, Modeling and Solving Constraints (2009).
+/// stiffness is that of a pin (add_pin_stiffness). Source: the derivative of C; the bounds as in E. Catto,
+/// Modeling and Solving Constraints (2009).
 class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
  public:
   /// Drives the angle.
@@ -41,6 +42,7 @@ class RevoluteJoint final : public ConstraintOf<RevoluteJoint> {
   RevoluteJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "revolute"; }
+  JointTraits traits() const override { return {.turns = true, .box2d_rows = 2}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
   std::optional<JointMotor> motor() const override;
   std::shared_ptr<const Constraint> with_motor(const std::optional<JointMotor>& motor) const override;

@@ -28,9 +28,6 @@ int removed_bodies(const Snapshot& snapshot) {
   return static_cast<int>(std::count_if(snapshot.bodies.begin(), snapshot.bodies.end(), is_removed));
 }
 
-/// Those of gears and differentials are angles, with nothing to come apart.
-bool holds_points(const SnapshotJoint& joint) { return joint.name != "gear" && joint.name != "differential"; }
-
 std::string name_of(BodyId body, const PerBody<std::string>& names) {
   return body.index < names.size() ? names[body] : fmt::format("body {}", body.index);
 }
@@ -171,7 +168,7 @@ bool FailureWatch::knows(FailureKind kind) const {
 
 void FailureWatch::see_joints(const Snapshot& now, double time) {
   for (const SnapshotJoint& joint : now.joints) {
-    if (!holds_points(joint)) continue;
+    if (!joint.traits.holds_points) continue;
     if (!(joint.drift > apart_share * shorter(joint))) continue;
     failures_.push_back({.kind = FailureKind::came_apart,
                          .time = time,
@@ -188,7 +185,7 @@ void FailureWatch::see_errors(const Snapshot& now, double time) {
   for (int i = 0; i < now.joints.size(); ++i) {
     const SnapshotJoint& joint = now.joints[i];
     JointError& error = errors_[i];
-    if (!holds_points(joint) || !(joint.drift > off_share * shorter(joint))) {
+    if (!joint.traits.holds_points || !(joint.drift > off_share * shorter(joint))) {
       error = {};
     } else if (joint.drift < error.largest / 2 || error.largest == 0) {
       error = {.since = time, .largest = joint.drift};

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "dynamics/connected_bodies.hpp"
 #include "geometry/aabb.hpp"
 #include "measure/failure.hpp"
 
@@ -62,23 +63,20 @@ bool has_floor(const Snapshot& start, const SnapshotBody& body) {
 class HeldBodies {
  public:
   explicit HeldBodies(const Snapshot& now) {
-    for (const BodyId id : now.bodies.indices()) group_.push_back(can_fall(now.bodies[id]) ? id : ground);
+    connected_.begin(now.bodies.size());
+    for (const BodyId id : now.bodies.indices())
+      if (!can_fall(now.bodies[id])) connected_.connect(id, ground);
     for (const SnapshotJoint& joint : now.joints) {
-      if (joint.name == "gear" || joint.name == "differential" || joint.name == "friction") continue;
-      group_[first_of(joint.a)] = first_of(joint.b);
-      if (joint.name == "pulley") group_[first_of(joint.b)] = first_of(ground);  // it hangs from its rollers
+      if (!joint.traits.holds_points) continue;
+      connected_.connect(joint.a, joint.b);
+      if (joint.traits.is_over_ground) connected_.connect(joint.b, ground);
     }
   }
 
-  bool holds(BodyId body) { return first_of(body) == first_of(ground); }
+  bool holds(BodyId body) { return connected_.lowest(body) == ground; }
 
  private:
-  BodyId first_of(BodyId body) {
-    while (group_[body] != body) body = group_[body] = group_[group_[body]];
-    return body;
-  }
-
-  PerBody<BodyId> group_;  // the way to the first of the group, which is its own
+  ConnectedBodies connected_;
 };
 
 /// Whether something that moves by itself is below that height, and may catch what falls.

@@ -200,6 +200,7 @@ SnapshotJoint Box2DWorld::Simulation::joint(int index, const PerBody<Pose<double
   const List<Attachment> ends = constraint.attachments();
   const b2Vec2 impulse = joints[index]->GetReactionForce(1);  // at dt = 1 s a force is its impulse
   return {.name = constraint.name(),
+          .traits = constraint.traits(),
           .a = ends[0].body,
           .b = ends[1].body,
           .anchor_a = poses[ends[0].body].world(ends[0].anchor),

@@ -74,7 +74,7 @@ class EventReader {
     const Constraint& joint = *then_.joints()[*then_.joints().number_of(id)];
     if (joint.motor()) motors_[id] = *joint.motor();
     if (!motors_.contains(id)) table.refuse("motor", "the name of a joint with a motor");
-    const bool turns = joint.name() == "revolute";
+    const bool turns = joint.traits().turns;
     const std::string most = turns ? "max_torque" : "max_force", other = turns ? "max_force" : "max_torque";
     if (table.has(other)) table.refuse(other, most + " for a " + joint.name() + " joint");
     const bool changes = table.has("speed") || table.has(most);

@@ -89,7 +89,7 @@ class Box2DContestant final : public Contestant {
   }
   std::int64_t rows(const Snapshot& after) const override {
     std::int64_t rows = 2 * static_cast<std::int64_t>(after.contacts.size());
-    for (const SnapshotJoint& joint : after.joints) rows += joint.name == "revolute" ? 2 : 1;
+    for (const SnapshotJoint& joint : after.joints) rows += joint.traits.box2d_rows;
     return rows * setting_.substeps;
   }
   std::optional<double> residual_ahead() override { return std::nullopt; }

@@ -66,7 +66,8 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
     if (!place.turns) pose.angle = 0;
     return pose.world(place.anchor.template cast<Real>()).template cast<double>();
   };
-  SnapshotJoint result{.name = joint.name(), .a = places.front().body, .b = places.back().body};
+  SnapshotJoint result{
+      .name = joint.name(), .traits = joint.traits(), .a = places.front().body, .b = places.back().body};
   result.anchor_a = world_point(places.front());
   result.anchor_b = world_point(places.back());
   for (int i = 1; i + 1 < places.size(); ++i) result.between.push_back(world_point(places[i]));

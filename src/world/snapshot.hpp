@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "constraints/joint_traits.hpp"
 #include "dynamics/body.hpp"
 #include "geometry/shape.hpp"
 #include "math/list.hpp"
@@ -45,6 +46,7 @@ struct SnapshotContact {
 /// One joint, as far as it can be drawn and measured.
 struct SnapshotJoint {
   std::string name = {};            // Constraint::name()
+  JointTraits traits = {};          // Constraint::traits()
   BodyId a = {};                    // where it begins
   BodyId b = {};                    // where it ends
   Vec2<double> anchor_a = {0, 0};   // [m], world

@@ -116,6 +116,20 @@ TEST_CASE_TEMPLATE("the rows of a constraint have names that differ, and keep th
   }
 }
 
+TEST_CASE("a joint that says it holds points has rows that bodies resist by moving, and others have none") {
+  test::Random random(24);
+  const PerBody<Pose<double>> start = random_poses(random);
+  for (const ConstraintUnderTest<double>& constraint : all_constraints<double>(start, random)) {
+    if (!constraint.rows.joint) continue;
+    CAPTURE(constraint.name);
+    bool moves = false;
+    for (const RowSpec<double>& row : constraint.rows(start)) {
+      for (const BodyId body : start.indices()) moves |= !jacobian_of(row, body).head<2>().isZero(0);
+    }
+    CHECK(constraint.rows.joint->traits().holds_points == moves);
+  }
+}
+
 TEST_CASE_TEMPLATE("where bodies lie in one place, every row has a direction and no row is not a number",
                    Real, float, double) {
   test::Random random(23);

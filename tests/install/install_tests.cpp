@@ -30,6 +30,13 @@ fs::path file_named(const fs::path& folder, const std::string& name) {
   return {};
 }
 
+/// Configures what is in a folder, as this build was.
+std::string configure_line(const std::string& source, const fs::path& build) {
+  return quoted(CAIRN_CMAKE) + " -S " + quoted(source) + " -B " + quoted(build.string()) + " -G " +
+         quoted(CAIRN_GENERATOR) + " " + quoted("-DCMAKE_MAKE_PROGRAM=" + std::string(CAIRN_MAKE)) + " " +
+         quoted("-DCMAKE_CXX_COMPILER=" + std::string(CAIRN_COMPILER));
+}
+
 /// The number that the user's program prints behind "newtons: "; NaN where it does not.
 double printed_newtons(const fs::path& folder, const fs::path& program) {
   const CommandResult result = run_line(folder, quoted(program.string()));
@@ -98,11 +105,8 @@ TEST_CASE("what is installed has every public header and names no folder of the 
 TEST_CASE("a build without the archives installs nothing, and says what to do") {
   const fs::path folder = scratch("unbuilt");
   const fs::path build = folder / "build";
-  require_success(run_line(folder, quoted(CAIRN_CMAKE) + " -S " + quoted(CAIRN_SOURCE_DIR) + " -B " +
-                                       quoted(build.string()) + " -G " + quoted(CAIRN_GENERATOR) + " " +
-                                       quoted("-DCMAKE_MAKE_PROGRAM=" + std::string(CAIRN_MAKE)) + " " +
-                                       quoted("-DCMAKE_CXX_COMPILER=" + std::string(CAIRN_COMPILER)) +
-                                       " -DCMAKE_CXX_FLAGS_RELEASE=-O1"));
+  require_success(
+      run_line(folder, configure_line(CAIRN_SOURCE_DIR, build) + " -DCMAKE_CXX_FLAGS_RELEASE=-O1"));
   CHECK(text_of(build / "CMakeCache.txt").find("CMAKE_CXX_FLAGS_RELEASE:STRING=-O1\n") != std::string::npos);
   const CommandResult result = run_line(folder, quoted(CAIRN_CMAKE) + " --install " + quoted(build.string()) +
                                                     " --prefix " + quoted((folder / "prefix").string()));
@@ -116,11 +120,8 @@ TEST_CASE("a program outside of the tree finds the installed library with CMake 
   const fs::path folder = scratch("with_cmake");
   const fs::path prefix = installed_and_moved(folder);
   const fs::path build = folder / "build";
-  std::string configure = quoted(CAIRN_CMAKE) + " -S " + quoted(user_folder) + " -B " +
-                          quoted(build.string()) + " -G " + quoted(CAIRN_GENERATOR) + " " +
-                          quoted("-DCMAKE_MAKE_PROGRAM=" + std::string(CAIRN_MAKE)) + " " +
-                          quoted("-DCMAKE_CXX_COMPILER=" + std::string(CAIRN_COMPILER)) + " " +
-                          quoted("-DCMAKE_PREFIX_PATH=" + prefix.string());
+  std::string configure =
+      configure_line(user_folder, build) + " " + quoted("-DCMAKE_PREFIX_PATH=" + prefix.string());
 #ifdef CAIRN_HAVE_BOX2D
   configure += " -DBOX2D=ON";
 #endif
@@ -131,6 +132,33 @@ TEST_CASE("a program outside of the tree finds the installed library with CMake 
   // Box2D computes in float: impulses of 1/3 N s in 1/60 s, to some roundings of 2^-24.
   CHECK(std::abs(printed_newtons(folder, build / "second_opinion") - weight_of_box) < 1e-3);
 #endif
+}
+
+TEST_CASE(
+    "Cairn is a part of another project: its library alone, and nothing that the project has not chosen") {
+  const fs::path folder = scratch("as_a_part"), build = folder / "build";
+  require_success(run_line(folder, configure_line(user_folder, build) + " " +
+                                       quoted("-DCAIRN_SOURCE=" + std::string(CAIRN_SOURCE_DIR)) +
+                                       " -DCMAKE_CXX_FLAGS=-Werror=old-style-cast"));
+  const std::string cache = text_of(build / "CMakeCache.txt");
+  CHECK(cache.find("CMAKE_BUILD_TYPE:STRING=\n") != std::string::npos);
+  CHECK(cache.find("CMAKE_CXX_FLAGS_DEBUG:STRING=-g\n") != std::string::npos);
+  CHECK(cache.find("BUILD_TESTING") == std::string::npos);
+  const std::string make = quoted(CAIRN_CMAKE) + " --build " + quoted(build.string());
+  const CommandResult targets = run_line(folder, make + " --target help");
+  require_success(targets);
+  CHECK(targets.output.find("cairn_solvers") != std::string::npos);
+  for (const char* other : {"cairn_render", "cairn_scenes", "lesson", "tests", "images"})
+    CHECK(targets.output.find(other) == std::string::npos);
+  // The library is compiled in minutes; what uses it shows whether its headers are found and its flags are
+  // let be.
+  require_success(run_line(folder, make + " --target CMakeFiles/resting_box.dir/resting_box.cpp.o"));
+  const CommandResult commands = run_line(folder, make +
+                                                      " --target CMakeFiles/resting_box.dir/resting_box.cpp.o"
+                                                      " --clean-first --verbose");
+  require_success(commands);
+  CHECK(commands.output.find("-ffp-contract=off") != std::string::npos);
+  CHECK(commands.output.find("-Wconversion") == std::string::npos);
 }
 
 TEST_CASE("pkg-config says what compiles the same program, without a warning, and links it") {

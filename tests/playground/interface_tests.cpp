@@ -1,5 +1,5 @@
 // The playground through its C functions, as a page calls them.
-#include "playground/interface.h"
+#include "lessons/playground/interface.h"
 
 #include <doctest/doctest.h>
 

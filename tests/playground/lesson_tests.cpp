@@ -10,7 +10,7 @@
 #include <string>
 
 #include "math/list.hpp"
-#include "playground/interface.h"
+#include "lessons/playground/interface.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "playground/interface.h"
+#include "lessons/playground/interface.h"
 
 TEST_CASE("the picture is drawn at each size, and what is drawn is found again") {
   REQUIRE(cairn_open("[ground]\nhalf_width = 8\n[[stack]]\nn = 2\nbox = [1, 1]\n", "scene") == 1);

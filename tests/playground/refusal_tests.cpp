@@ -10,7 +10,7 @@
 #include <string>
 
 #include "math/deadline.hpp"
-#include "playground/interface.h"
+#include "lessons/playground/interface.h"
 #include "scenes/scene_file.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"

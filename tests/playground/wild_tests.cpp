@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "math/list.hpp"
-#include "playground/interface.h"
+#include "lessons/playground/interface.h"
 
 namespace {
 

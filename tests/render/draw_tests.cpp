@@ -33,8 +33,12 @@ Snapshot sample_world() {
                             .friction_impulse = -0.08,
                             .friction = 0.6});
   world.bodies.push_back(dynamic_body(circle(0.5), {2, 0.5}, 0.7));
-  world.joints.push_back(
-      {.name = "rod", .a = ground, .b = {3}, .anchor_a = {1, 3}, .anchor_b = {2, 0.5}});
+  world.joints.push_back({.name = "rod",
+                          .traits = {.is_line = true},
+                          .a = ground,
+                          .b = {3},
+                          .anchor_a = {1, 3},
+                          .anchor_b = {2, 0.5}});
   world.bodies.push_back(dynamic_body(capsule({-1, 0}, {1, 0}, 0.2), {5, 2}, -0.3));
   world.joints.push_back({.name = "revolute",
                           .a = ground,
@@ -226,8 +230,8 @@ TEST_CASE("an overlap of more than 2 px is marked and measured in mm") {
 
 TEST_CASE("a rod is a double line, a pin a ring") {
   Snapshot world = with_ground();
-  world.joints.push_back({.name = "rod", .anchor_a = {-3, -1}, .anchor_b = {-3, 2}});
-  world.joints.push_back({.name = "revolute", .anchor_a = {3, 1}, .anchor_b = {3, 1}});
+  world.joints.push_back({.traits = {.is_line = true}, .anchor_a = {-3, -1}, .anchor_b = {-3, 2}});
+  world.joints.push_back({.anchor_a = {3, 1}, .anchor_b = {3, 1}});
   const Image image = picture_of_world(world);
   const Theme theme = light_theme();
   CHECK(strokes_in_row(image, world_camera.project({0, 0.5}).y(), theme.background, 90) == 2);

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "playground/picture.hpp"
+#include "lessons/playground/picture.hpp"
 #include "render/image.hpp"
 
 namespace {

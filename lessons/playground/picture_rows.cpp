@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/list.hpp"
-#include "playground/picture.hpp"
+#include "lessons/playground/picture.hpp"
 #include "render/plot.hpp"
 #include "solvers/residual.hpp"
 

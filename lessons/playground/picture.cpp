@@ -1,5 +1,5 @@
 // Lays the picture out, draws the scene, and finds what is at a place.
-#include "playground/picture.hpp"
+#include "lessons/playground/picture.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "math/check.hpp"
 #include "math/nearest.hpp"
-#include "playground/pointing.hpp"
+#include "lessons/playground/pointing.hpp"
 #include "render/arrow.hpp"
 #include "render/draw.hpp"
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "math/list.hpp"
-#include "playground/bench.hpp"
-#include "playground/controls.hpp"
+#include "lessons/playground/bench.hpp"
+#include "lessons/playground/controls.hpp"
 #include "scenes/scene_list.hpp"
 
 namespace cairn::playground {

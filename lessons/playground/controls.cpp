@@ -1,5 +1,5 @@
 // A table of controls: how each is read, written and limited.
-#include "playground/controls.hpp"
+#include "lessons/playground/controls.hpp"
 
 #include <fmt/format.h>
 

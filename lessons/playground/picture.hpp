@@ -5,7 +5,7 @@
 #include <string>
 
 #include "math/list.hpp"
-#include "playground/playground.hpp"
+#include "lessons/playground/playground.hpp"
 #include "render/bars.hpp"
 #include "render/camera.hpp"
 #include "render/page.hpp"

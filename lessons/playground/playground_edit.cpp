@@ -7,8 +7,8 @@
 
 #include "constraints/revolute_joint.hpp"
 #include "math/check.hpp"
-#include "playground/playground.hpp"
-#include "playground/pointing.hpp"
+#include "lessons/playground/playground.hpp"
+#include "lessons/playground/pointing.hpp"
 #include "scenes/scene_file.hpp"
 
 namespace cairn::playground {

@@ -1,12 +1,12 @@
 // The C functions: each calls the playground. What that throws ends here, as words.
-#include "playground/interface.h"
+#include "lessons/playground/interface.h"
 
 #include <string>
 
 #include "measure/fingerprint.hpp"
-#include "playground/picture.hpp"
-#include "playground/playground.hpp"
-#include "playground/session.hpp"
+#include "lessons/playground/picture.hpp"
+#include "lessons/playground/playground.hpp"
+#include "lessons/playground/session.hpp"
 #include "scenes/scene_file.hpp"
 
 namespace {

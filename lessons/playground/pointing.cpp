@@ -1,5 +1,5 @@
 // Distances from a point to shapes.
-#include "playground/pointing.hpp"
+#include "lessons/playground/pointing.hpp"
 
 #include <algorithm>
 #include <limits>

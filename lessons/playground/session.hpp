@@ -8,7 +8,7 @@
 
 #include "math/check.hpp"
 #include "math/list.hpp"
-#include "playground/playground.hpp"
+#include "lessons/playground/playground.hpp"
 
 namespace cairn::playground {
 

@@ -1,5 +1,5 @@
 // Running: steps, rows and sweeps.
-#include "playground/playground.hpp"
+#include "lessons/playground/playground.hpp"
 
 #include <fmt/format.h>
 

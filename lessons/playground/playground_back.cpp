@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "playground/playground.hpp"
+#include "lessons/playground/playground.hpp"
 #include "scenes/scene_file.hpp"
 
 namespace cairn::playground {

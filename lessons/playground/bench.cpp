@@ -1,5 +1,5 @@
 // A world with its solver, and an observer that stops looking at a row update.
-#include "playground/bench.hpp"
+#include "lessons/playground/bench.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "playground/picture.hpp"
+#include "lessons/playground/picture.hpp"
 #include "render/sequence.hpp"
 
 namespace {

@@ -1,0 +1,15 @@
+// Floor 3. What kinds of joints say of themselves.
+#pragma once
+
+namespace cairn {
+
+/// What a kind of joint is to those who draw it, watch it or read of it.
+struct JointTraits {
+  bool holds_points = true;     // where it is fastened, it holds: it can come apart, and carries what hangs on it
+  bool is_line = false;         // a rod or a rope, between ends that are apart; else it is where they are
+  bool is_over_ground = false;  // a rope whose bodies hang from the ground, and not from each other
+  bool turns = false;           // its motor drives an angle
+  int box2d_rows = 1;           // that Box2D's joint of this kind has
+};
+
+}  // namespace cairn
