@@ -15,7 +15,7 @@ namespace cairn {
 /// from one mistake is no second one.
 struct Misconception {
   double value = 0;       // that an answer gives which rests on it; may be infinite or NaN
-  std::string what = {};  // "That is the force: an impulse is the force times dt."
+  const char* what = "";  // "That is the force: an impulse is the force times dt."
 };
 
 /// One number that an answer has to give.
@@ -23,7 +23,8 @@ struct ExpectedNumber {
   std::string what = {};  // "impulse under the corner (N s)"
   double value = 0;
   std::vector<Misconception> misconceptions = {};
-  /// Of the number and of every misconception, in its unit. Without one: 1e-9, relative where they are above 1.
+  /// Of the number and of every misconception, in its unit. Without one: 1e-9, relative where they are
+  /// above 1.
   std::optional<double> tolerance = {};
 };
 
@@ -43,7 +44,7 @@ inline Mark marked(const ExpectedNumber& expected, double got) {
   if (is_near(expected.value)) return {.holds = true};
   for (const Misconception& known : expected.misconceptions) {
     const bool is_it = is_near(known.value) || (std::isnan(got) && std::isnan(known.value));
-    if (is_it && !known.what.empty()) return {.comment = known.what};
+    if (is_it && *known.what != 0) return {.comment = known.what};
   }
   return {};
 }

@@ -44,7 +44,7 @@ bool is_near(const Pair& got, const Pair& value) {
 
 struct Wrong {
   Pair impulse = {};
-  std::string what = {};
+  const char* what = "";
 };
 
 List<Wrong> wrong_impulses() {

@@ -40,10 +40,10 @@ void grade_prediction(Grade& grade, const Case& each, const Study& got) {
   number.misconceptions.push_back(
       {std::ceil((1 - each.share) / (1 - each.rate())),
        "Each sweep takes the same share of what is left, and less and less: rate^k, not 1 - k (1 - rate)."});
+  const std::string for_another =
+      fmt::format("That is for 1 %: the share asked for is {:g} here.", each.share);
   if (each.share != 0.01) {
-    number.misconceptions.push_back(
-        {std::ceil(std::log(0.01) / std::log(each.rate())),
-         fmt::format("That is for 1 %: the share asked for is {:g} here.", each.share)});
+    number.misconceptions.push_back({std::ceil(std::log(0.01) / std::log(each.rate())), for_another.c_str()});
   }
   if (ratio > 1) {
     number.misconceptions.push_back({std::ceil(std::log(each.share) / std::log(1 - 1 / ratio)),

@@ -94,7 +94,7 @@ void check_program(const fs::path& folder, const List<WrongAnswer>& answers, int
 /// All answers of an exercise fill its one gap, and a number says which of them runs.
 void check_exercise(const fs::path& source) {
   const std::string number = source.filename().string().substr(0, 2);
-  const fs::path folder = scratch("exercise" + number);
+  const fs::path folder = scratch_folder("exercise" + number);
   const cairn::GapText exercise = cairn::split_at_gap(text_of(source / "exercise.cpp"));
   const std::string model = text_of(source / "model.txt");
   const List<WrongAnswer> answers = wrong_answers(source / "exercise.wrong");
@@ -123,7 +123,7 @@ void check_exercise(const fs::path& source) {
 /// once.
 void check_stage(int stage) {
   const std::string number = "0" + std::to_string(stage), model = model_of(stage);
-  const fs::path folder = scratch("stage" + number);
+  const fs::path folder = scratch_folder("stage" + number);
   const List<WrongAnswer> answers = wrong_answers(solver_folder / "stages" / (number + ".wrong"));
   std::string text =
       "#include <array>\n#include <cstdlib>\n#include <limits>\n#include \"lessons/grading.hpp\"\n";

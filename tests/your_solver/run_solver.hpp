@@ -33,7 +33,7 @@ inline Ended run_line(const std::string& line) {
 inline std::string in_quotes(const std::string& word) { return "'" + word + "'"; }
 
 /// An empty folder of the build.
-inline fs::path scratch(const std::string& name) {
+inline fs::path scratch_folder(const std::string& name) {
   const fs::path folder = fs::path(CAIRN_BINARY_DIR) / "reader_tests" / name;
   fs::remove_all(folder);
   fs::create_directories(folder);

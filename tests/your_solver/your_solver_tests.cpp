@@ -25,7 +25,7 @@ constexpr int solver_stages = 10;
 }  // namespace
 
 TEST_CASE("what begins a stage passes the stage before, and not its own") {
-  const fs::path folder = scratch("begin");
+  const fs::path folder = scratch_folder("begin");
   for (int stage = 0; stage < solver_stages; ++stage) {
     const std::string number = std::to_string(stage);
     INFO("stage ", stage);
@@ -44,7 +44,7 @@ TEST_CASE("what begins a stage passes the stage before, and not its own") {
 }
 
 TEST_CASE("the finished solver is short, and its tower carries the loads of lesson 17") {
-  const fs::path folder = scratch("finished");
+  const fs::path folder = scratch_folder("finished");
   const std::string model = model_of(solver_stages - 1);
   const auto lines = std::count(model.begin(), model.end(), '\n');
   CHECK(lines >= 150);
@@ -65,7 +65,7 @@ TEST_CASE("the finished solver is short, and its tower carries the loads of less
 }
 
 TEST_CASE("a file that does not compile, lacks a function or runs wild is answered shortly") {
-  const fs::path folder = scratch("broken");
+  const fs::path folder = scratch_folder("broken");
   const auto answer = [&folder](const std::string& text) {
     write_file(folder / "my_solver.cpp", text);
     return run_solver(folder, "0");
@@ -87,7 +87,7 @@ TEST_CASE("a file that does not compile, lacks a function or runs wild is answer
 }
 
 TEST_CASE("the reader's solver refuses words that it does not know, and a stage without a file") {
-  const fs::path folder = scratch("refused");
+  const fs::path folder = scratch_folder("refused");
   for (const auto& [words, complaint] :
        {std::pair("12", "must be a number from 0 to 9, got \"12\""), std::pair("x", "got \"x\""),
         std::pair("3 --start", "got \"--start\""), std::pair("3", "there is no my_solver.cpp in")}) {
