@@ -1,31 +1,29 @@
-// Grading, and the words around it.
+// What stands around the grading of an exercise.
 #include "lessons/exercise.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 
-#include "lessons/answers.hpp"
 #include "lessons/output.hpp"
 #include "lessons/reader_code/verdict.hpp"
 
 namespace cairn {
 namespace {
 
-void print_marks(const Grade& grade) {
-  for (const Mark& mark : grade.marks()) {
-    const std::string numbers = mark.holds ? fmt::format("{:.6g}", mark.got)
-                                           : fmt::format("{:.6g}, not {:.6g}", mark.got, mark.expected);
-    fmt::print("CHECK  {:<58} {}  {}\n", mark.what, numbers, mark.holds ? "ok" : "no");
-    if (!mark.comment.empty()) fmt::print("       {}\n", mark.comment);
+constexpr std::string_view begin_mark = "// Your code begins here", end_mark = "// Your code ends here";
+
+/// Where the line that has `mark` begins.
+std::size_t marked_line(const std::string& text, std::string_view mark) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos || text.find(mark, at + 1) != std::string::npos) {
+    throw std::runtime_error(fmt::format("\"{}\" must stand in exactly one line", mark));
   }
+  return text.rfind('\n', at) + 1;  // the first line: npos + 1 = 0
 }
 
 int show_hint(const Exercise& exercise, std::string_view word) {
@@ -72,7 +70,6 @@ int run_exercise(const Exercise& exercise, const std::string& source, int argume
   } else {
     Grade grade;
     exercise.grade(grade);
-    print_marks(grade);
     if (grade.passed()) return 0;
   }
   return 1;
@@ -86,23 +83,13 @@ int finished(int code) {
 
 }  // namespace
 
-void Grade::number(const ExpectedNumber& expected, double got) {
-  Mark mark{.what = expected.what, .expected = expected.value, .got = got};
-  mark.holds = std::abs(got - expected.value) <= expected.tolerance;  // a NaN holds nothing
-  if (!mark.holds) {
-    for (const Misconception& known : expected.misconceptions) {
-      // Infinity less infinity is no number, and no number is equal to none.
-      const bool is_it = got == known.value || (std::isnan(got) && std::isnan(known.value)) ||
-                         std::abs(got - known.value) <= expected.tolerance;
-      if (is_it && mark.comment.empty()) mark.comment = known.what;
-    }
+GapText split_at_gap(const std::string& text) {
+  const std::size_t begin = marked_line(text, begin_mark), end = marked_line(text, end_mark);
+  if (begin > end) {
+    throw std::runtime_error(fmt::format("\"{}\" must stand before \"{}\"", begin_mark, end_mark));
   }
-  marks_.push_back(mark);
-}
-
-bool Grade::passed() const {
-  return !marks_.empty() &&
-         std::all_of(marks_.begin(), marks_.end(), [](const Mark& mark) { return mark.holds; });
+  const std::size_t gap = text.find('\n', begin) + 1;
+  return {text.substr(0, gap), text.substr(gap, end - gap), text.substr(end)};
 }
 
 int exercise_program(const Exercise& exercise, const std::string& source, int argument_count,

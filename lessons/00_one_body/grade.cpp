@@ -25,16 +25,16 @@ ExpectedNumber rate_after(const char* what, Axis axis) {
   return {
       .what = what,
       .value = before + w * f * duration,
-      .tolerance = rounding,
-      .misconceptions = {
-          {before, "The velocity has not changed: all three numbers of it do."},
-          {before + w * f * 60, "An acceleration times dt is a change of velocity."},
-          {before + f * duration, "That is a force times dt: M⁻¹ makes a change of velocity of it."},
-          {before + f / w * duration, "M⁻¹ is inverted already: multiply by it."},
-          {before - w * f * duration, "The sign: the force comes with its own."},
-          {w * f * dt, "Add to the velocity: do not replace it."},
-          {before + (w * f - 10) * duration, "The force is all that acts: add no gravity to it."},
-          {before + box_of_2_kg[x] * f * duration, "θ has its own inverse mass, 1/I, the third number."}}};
+      .misconceptions =
+          {{before, "The velocity has not changed: all three numbers of it do."},
+           {before + w * f * 60, "An acceleration times dt is a change of velocity."},
+           {before + f * duration, "That is a force times dt: M⁻¹ makes a change of velocity of it."},
+           {before + f / w * duration, "M⁻¹ is inverted already: multiply by it."},
+           {before - w * f * duration, "The sign: the force comes with its own."},
+           {w * f * dt, "Add to the velocity: do not replace it."},
+           {before + (w * f - 10) * duration, "The force is all that acts: add no gravity to it."},
+           {before + box_of_2_kg[x] * f * duration, "θ has its own inverse mass, 1/I, the third number."}},
+      .tolerance = rounding};
 }
 
 /// Where a box is at the end, on one axis.
@@ -48,18 +48,19 @@ ExpectedNumber place_after(const char* what, Axis axis, const Numbers& inverse_m
   return {
       .what = what,
       .value = right,
-      .tolerance = rounding,
-      .misconceptions = {
-          {exact - error, "That is explicit Euler: the place was moved with the old velocity."},
-          {exact, "That is the parabola itself: right, and not what the engine does."},
-          {start_place[axis], "The place has not changed: all three numbers of it do."},
-          {start_place[axis] + (right - start_place[axis]) / dt, "A velocity times dt is a change of place."},
-          {start_place[axis] + start_velocity[axis] * duration, "The force has not changed the velocity."},
-          {start_place[axis] - (right - start_place[axis]),
-           "The sign: a body goes where its velocity points."},
-          {(start_velocity[axis] + acceleration * duration) * dt, "Add to the place: do not replace it."},
-          {right + (other - acceleration) * (duration + dt) * duration / 2,
-           "This box has 4 kg: take its own inverse mass."}}};
+      .misconceptions =
+          {{exact - error, "That is explicit Euler: the place was moved with the old velocity."},
+           {exact, "That is the parabola itself: right, and not what the engine does."},
+           {start_place[axis], "The place has not changed: all three numbers of it do."},
+           {start_place[axis] + (right - start_place[axis]) / dt,
+            "A velocity times dt is a change of place."},
+           {start_place[axis] + start_velocity[axis] * duration, "The force has not changed the velocity."},
+           {start_place[axis] - (right - start_place[axis]),
+            "The sign: a body goes where its velocity points."},
+           {(start_velocity[axis] + acceleration * duration) * dt, "Add to the place: do not replace it."},
+           {right + (other - acceleration) * (duration + dt) * duration / 2,
+            "This box has 4 kg: take its own inverse mass."}},
+      .tolerance = rounding};
 }
 
 /// Where the box of 2 kg is after 60 steps of half the length.
@@ -69,9 +70,9 @@ ExpectedNumber place_after_half(const char* what) {
   const double with_the_other = start_place[y] + start_velocity[y] * duration;
   return {.what = what,
           .value = now + acceleration * (time + half) * time / 2,
-          .tolerance = rounding,
           .misconceptions = {{with_the_other + acceleration * (duration + dt) * duration / 2,
-                              "The step has 0.01 s here: take dt, not a number of your own."}}};
+                              "The step has 0.01 s here: take dt, not a number of your own."}},
+          .tolerance = rounding};
 }
 
 }  // namespace

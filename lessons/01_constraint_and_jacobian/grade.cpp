@@ -53,23 +53,22 @@ void grade_thirty(Grade& grade) {
   const bool knows_only_level = j[0] == 0;
   grade.number({.what = "a rail of 30 degrees: j_x",
                 .value = -0.5,
-                .tolerance = difference,
                 .misconceptions = {{half, "That is along the rail: there the point may go. j points across."},
                                    {0.5, "c grows on the upper side: to the right means down into the rail."},
                                    {-0.5 / half, no_unit},
-                                   {0, level}}},
+                                   {0, level}},
+                .tolerance = difference},
                j[0]);
   grade.number({.what = "a rail of 30 degrees: j_y",
                 .value = half,
-                .tolerance = difference,
                 .misconceptions = {{0.5, "That is along the rail: there the point may go. j points across."},
                                    {-half, "c shrinks on the lower side: upwards it grows."},
-                                   {1, knows_only_level ? level : no_unit}}},
+                                   {1, knows_only_level ? level : no_unit}},
+                .tolerance = difference},
                j[1]);
   grade.number(
       {.what = "with the arm (0.4, 0.2) m: j_theta (m)",
        .value = turn,
-       .tolerance = difference,
        .misconceptions = {{-turn, j[1] < 0
                                       ? lower
                                       : "The order: r × n, with n to the upper side, is r_x n_y − r_y n_x."},
@@ -79,7 +78,8 @@ void grade_thirty(Grade& grade) {
                           {0.4 * 0.5 - 0.2 * half, "That is r × t, with t along the rail: take n across it."},
                           {0.4 * half, "Both parts of the arm count: r_x n_y − r_y n_x."},
                           {0.2 * 0.5, "Both parts of the arm count: r_x n_y − r_y n_x."},
-                          {0.4, knows_only_level ? level : not_turned}}},
+                          {0.4, knows_only_level ? level : not_turned}},
+       .tolerance = difference},
       j[2]);
 }
 

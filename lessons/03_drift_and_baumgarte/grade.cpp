@@ -23,43 +23,43 @@ ExpectedNumber without_slop(const char* what, double depth, const Recovery& r) {
   return {
       .what = what,
       .value = right,
-      .tolerance = few_roundings,
       .misconceptions = {{-right, "The sign: c is −depth, and ζ = −β c / Δt."},
                          {r.beta * depth, "A speed is a distance over Δt."},
                          {depth / r.dt, "Only the share β of the error, in each step."},
                          {(1 - r.beta) * depth / r.dt, "β is the share that goes, not the one that stays."},
                          {right / r.dt, "One Δt too many: a speed is a distance over Δt."},
                          {no_limit, too_fast},
-                         {right * r.dt * r.dt, "Divide by Δt: a short step has to be fast to get as far."}}};
+                         {right * r.dt * r.dt, "Divide by Δt: a short step has to be fast to get as far."}},
+      .tolerance = few_roundings};
 }
 
 void grade_slop(Grade& grade, const Recovery& sloppy) {
   grade.number(
       {.what = "0.105 m deep with a slop of 5 mm: zeta (m/s)",
        .value = 1,
-       .tolerance = few_roundings,
        .misconceptions = {{1.05, "Subtract the slop: only what is deeper is taken back."},
                           {1.045, slop_is_depth},
                           {0.8, "β takes its share of what is deeper than the slop: subtract first."},
-                          {1.1, "The slop makes the error smaller, not larger."}}},
+                          {1.1, "The slop makes the error smaller, not larger."}},
+       .tolerance = few_roundings},
       wanted_speed(0.105, sloppy));
   grade.number(
       {.what = "0.004 m deep with a slop of 5 mm: zeta (m/s)",
        .value = 0,
-       .tolerance = few_roundings,
        .misconceptions = {{-0.01, "Not below 0: the row must not pull bodies together."},
                           {0.035, slop_is_depth},
                           {0.04, "Within the slop ζ is 0."},
-                          {0.05, "Within the slop ζ is 0: the least that is left of the depth is 0."}}},
+                          {0.05, "Within the slop ζ is 0: the least that is left of the depth is 0."}},
+       .tolerance = few_roundings},
       wanted_speed(0.004, sloppy));
   grade.number(
       {.what = "not touching, 0.01 m apart: zeta (m/s)",
        .value = 0,
-       .tolerance = few_roundings,
        .misconceptions = {{-0.1, apart},
                           {-0.15, apart},
                           {0.05, "Bodies that are apart are no error: where the depth is below 0, ζ is 0."},
-                          {0.1, "Bodies that are apart are no error: where the depth is below 0, ζ is 0."}}},
+                          {0.1, "Bodies that are apart are no error: where the depth is below 0, ζ is 0."}},
+       .tolerance = few_roundings},
       wanted_speed(-0.01, sloppy));
 }
 
@@ -68,21 +68,21 @@ void grade_limit(Grade& grade, const Recovery& limited) {
   const bool stops = wanted_speed(0.1, limited) == 0;
   grade.number({.what = "0.1 m deep, at most 0.05 m/s: zeta (m/s)",
                 .value = 0.05,
-                .tolerance = few_roundings,
                 .misconceptions = {{1, "The limit is not kept."},
                                    {0.5, "max_speed limits ζ, not the depth."},
                                    {0, to_nothing},
                                    {0.001, "max_speed is a speed already: no Δt."},
-                                   {0.01, "max_speed limits ζ itself, β included."}}},
+                                   {0.01, "max_speed limits ζ itself, β included."}},
+                .tolerance = few_roundings},
                wanted_speed(0.1, limited));
   Recovery both = limited;
   both.slop = 0.005;
   grade.number({.what = "the same with a slop of 5 mm: zeta (m/s)",
                 .value = 0.05,
-                .tolerance = few_roundings,
                 .misconceptions = {{0, stops ? to_nothing
                                              : "First the slop, then the limit: max_speed is the last word."},
-                                   {0.95, "The limit is not kept here, where there is a slop too."}}},
+                                   {0.95, "The limit is not kept here, where there is a slop too."}},
+                .tolerance = few_roundings},
                wanted_speed(0.1, both));
 }
 

@@ -41,23 +41,23 @@ void grade_diagonal(Grade& grade, const List<double>& masses) {
   const double infinity = std::numeric_limits<double>::infinity();
   grade.number({.what = "boxes of 5, 0.5, 1.25 and 2 kg: A_00 (1/kg)",
                 .value = 0.2,
-                .tolerance = few_roundings,
                 .misconceptions = {{0.4, ground},
                                    {infinity, ground},
                                    {-0.2, "Entries of the diagonal are positive: (−1)² and 1² times 1/m."},
                                    {1, no_masses},
-                                   {5, not_inverse}}},
+                                   {5, not_inverse}},
+                .tolerance = few_roundings},
                entry(0, 0, masses));
   grade.number({.what = "the uppermost box: A_33 (1/kg)",
                 .value = 1.3,
-                .tolerance = few_roundings,
                 .misconceptions = {{0.5, two_boxes},
                                    {0.8, two_boxes},
                                    {1, "Each box has its own 1/m: they differ."},
                                    {-0.3, "Contact 3 moves both its boxes: add their 1/m."},
                                    {2, no_masses},
                                    {3.25, not_inverse},
-                                   {1 / 3.25, "Add the inverses, not the masses."}}},
+                                   {1 / 3.25, "Add the inverses, not the masses."}},
+                .tolerance = few_roundings},
                entry(3, 3, masses));
 }
 
@@ -67,25 +67,25 @@ void grade_neighbours(Grade& grade, const List<double>& masses) {
   const double lower = entry(3, 2, masses), upper = entry(2, 3, masses);
   grade.number({.what = "the uppermost box: A_32 (1/kg)",
                 .value = -0.8,
-                .tolerance = few_roundings,
                 .misconceptions = {{0.8, "The sign: contact 3 pushes box 2 down, contact 2 pushes it up."},
                                    {0, upper == 0 ? both_touch : symmetric},
                                    {-1, no_masses},
                                    {-1.25, not_inverse},
                                    {-2, "Contacts 2 and 3 share box 2, not box 1."},
                                    {-1.3, "Contacts 2 and 3 share box 2 alone: one entry of M⁻¹."},
-                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}}},
+                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}},
+                .tolerance = few_roundings},
                lower);
   grade.number({.what = "above the diagonal: A_23 (1/kg)",
                 .value = -0.8,
-                .tolerance = few_roundings,
                 .misconceptions = {{0, lower == 0 ? both_touch : symmetric},
-                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}}},
+                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}},
+                .tolerance = few_roundings},
                upper);
   grade.number({.what = "two contacts further: A_31 (1/kg)",
                 .value = 0,
-                .tolerance = few_roundings,
-                .misconceptions = {{-2, "Contacts 1 and 3 have no box in common."}}},
+                .misconceptions = {{-2, "Contacts 1 and 3 have no box in common."}},
+                .tolerance = few_roundings},
                entry(3, 1, masses));
 }
 

@@ -28,41 +28,41 @@ bool grade_stack(Grade& grade) {
   const bool is_blind = is_near(one[1], 0) && !is_near(one[0], 0);
   grade.number({.what = "1 sweep of 3 joints: λ_1 (N)",
                 .value = 20,
-                .tolerance = sweep_rounding,
                 .misconceptions = {{0, "Row 1 got nothing: the first row has the index 0."},
                                    {10, "Divide by A_ii: (28)."},
                                    {5, "Divide by A_ii instead of multiplying: (28)."},
                                    {24, "One sweep a call: each row has one turn."},
                                    {45, "That solves all rows at once: here each row is solved for itself."},
-                                   {-20, "The sign: A λ = b."}}},
+                                   {-20, "The sign: A λ = b."}},
+                .tolerance = sweep_rounding},
                one[0]);
   grade.number({.what = "1 sweep of 3 joints: λ_2 (N)",
                 .value = 4,
-                .tolerance = sweep_rounding,
-                .misconceptions = {{0, is_blind ? blind : ""}, {-4, "The sign: take A_ij λ_j off b_i."}}},
+                .misconceptions = {{0, is_blind ? blind : ""}, {-4, "The sign: take A_ij λ_j off b_i."}},
+                .tolerance = sweep_rounding},
                one[1]);
   grade.number({.what = "1 sweep of 3 joints: λ_3 (N)",
                 .value = 3.2,
-                .tolerance = sweep_rounding,
                 .misconceptions = {{0, is_blind             ? blind
                                        : is_near(one[1], 0) ? ""
-                                                            : "The last row had no turn."}}},
+                                                            : "The last row had no turn."}},
+                .tolerance = sweep_rounding},
                one[2]);
   grade.number(
       {.what = "2 sweeps of 3 joints: λ_1 (N)",
        .value = 24,
-       .tolerance = sweep_rounding,
        .misconceptions = {{4, "A_ii λ_i belongs on the left: leave j = i out of the sum."},
                           {20, is_blind ? blind : "The rows after row i count as well: all j but i."},
-                          {44, "(28) gives the new λ_i itself: replace the old one."}}},
+                          {44, "(28) gives the new λ_i itself: replace the old one."}},
+       .tolerance = sweep_rounding},
       two[0]);
   const System star{.A = {{2, 1, 1}, {1, 2, 1}, {1, 1, 2}}, .b = {8, 0, 0}, .rows = List<Row>(3, Row{})};
   const double last = swept(star, 1)[2];
   const char* const neighbours = "Every other row counts, not only the one before and the one after.";
   grade.number({.what = "1 sweep of 3 joints on one body: λ_3 (N)",
                 .value = -1,
-                .tolerance = sweep_rounding,
-                .misconceptions = {{1, is_near(one[2], 3.2) ? neighbours : ""}}},
+                .misconceptions = {{1, is_near(one[2], 3.2) ? neighbours : ""}},
+                .tolerance = sweep_rounding},
                last);
   return is_near(one[2], 3.2) && is_near(two[0], 24) && is_near(last, -1);
 }
@@ -75,11 +75,11 @@ double alone(RowKind kind, double needed, double strength = 2) {
 /// An answer that does not solve a joint alone has words for that, and none for its intervals.
 void grade_kinds(Grade& grade) {
   const bool solves = is_near(alone(RowKind::joint, 1), 1);
-  const auto row = [&](const char* what, double got, double value, const List<Misconception>& wrong) {
+  const auto row = [&](const char* what, double got, double value, const std::vector<Misconception>& wrong) {
     grade.number({.what = what,
                   .value = value,
-                  .tolerance = sweep_rounding,
-                  .misconceptions = solves ? wrong : List<Misconception>{}},
+                  .misconceptions = solves ? wrong : std::vector<Misconception>{},
+                  .tolerance = sweep_rounding},
                  got);
   };
   row("a joint that needs -3 N (N)", alone(RowKind::joint, -3), -3,
@@ -111,16 +111,16 @@ void grade_rod(Grade& grade, bool solves) {
   grade.number(
       {.what = "the rod, 2 sweeps: λ_1 (N)",
        .value = 1.25,
-       .tolerance = sweep_rounding,
        .misconceptions = {{5, solves ? "A contact may give less than before: clamp λ itself, not its change."
-                                     : ""}}},
+                                     : ""}},
+       .tolerance = sweep_rounding},
       two[0]);
   grade.number(
       {.what = "the rod, 3 sweeps: λ_2 (N)",
        .value = 15,
-       .tolerance = sweep_rounding,
        .misconceptions = {{13.125, "What is out of the interval goes to its end: do not keep the old λ."},
-                          {17.34375, "Clamp at once: row 2 must see that row 1 cannot pull."}}},
+                          {17.34375, "Clamp at once: row 2 must see that row 1 cannot pull."}},
+       .tolerance = sweep_rounding},
       three[1]);
 }
 

@@ -36,14 +36,14 @@ void grade_impulses(Grade& grade, const Swept& one) {
       "The ground has 1/m = 0 and no mass: add inverse masses, and do not invert them first.";
   grade.number({.what = "1 sweep: impulse of the ground (N s)",
                 .value = 0.4,
-                .tolerance = push_rounding,
                 .misconceptions =
                     {{-0.4, "The sign: boxes that approach have to be pushed apart."},
                      {0, stands ? "Nothing was given: boxes that approach have to be pushed apart. The sign?"
                                 : "Nothing was added to the contact's impulse."},
                      {std::nan(""), inverse},
                      {0.1, "A heavy box needs more impulse, not less: divide by j M⁻¹ jᵀ."},
-                     {0.2, "(22): a speed is no impulse; divide it by j M⁻¹ jᵀ."}}},
+                     {0.2, "(22): a speed is no impulse; divide it by j M⁻¹ jᵀ."}},
+                .tolerance = push_rounding},
                ground);
   ExpectedNumber second{
       .what = "1 sweep: impulse between boxes 1 and 2 (N s)", .value = 0.08, .tolerance = push_rounding};
@@ -66,28 +66,28 @@ void grade_tower(Grade& grade) {
   grade.number(
       {.what = "1 sweep, one box: velocity of the box (m/s)",
        .value = 0,
-       .tolerance = push_rounding,
        .misconceptions = {{0.2, "(23): an impulse is no change of velocity; multiply it by 1/m."},
                           {0.6, "(23): inverse_mass is 1/m already; multiply by it."},
-                          {-0.1, first_is_right ? "Each body gets the whole impulse, not half of it." : ""}}},
+                          {-0.1, first_is_right ? "Each body gets the whole impulse, not half of it." : ""}},
+       .tolerance = push_rounding},
       ground.boxes[1].velocity);
   grade.number({.what = "1 sweep, one box: velocity of the ground (m/s)",
                 .value = 0,
-                .tolerance = push_rounding,
-                .misconceptions = {{-0.2, "The ground has moved: each body has its own inverse mass."}}},
+                .misconceptions = {{-0.2, "The ground has moved: each body has its own inverse mass."}},
+                .tolerance = push_rounding},
                ground.boxes[0].velocity);
   grade.number(
       {.what = "1 sweep: velocity of box 1 (m/s)",
        .value = -0.04,
-       .tolerance = push_rounding,
        .misconceptions = {{0, "Action and reaction: contact 2 pushes box 1 down."},
                           {0.04, is_right_alone ? "Action and reaction: contact 2 pushes box 1 down, not up."
-                                                : ""}}},
+                                                : ""}},
+       .tolerance = push_rounding},
       one.boxes[1].velocity);
   grade.number({.what = "2 sweeps: impulse of the ground (N s)",
                 .value = 0.48,
-                .tolerance = push_rounding,
-                .misconceptions = {{0.08, "The second correction has replaced the first: add it."}}},
+                .misconceptions = {{0.08, "The second correction has replaced the first: add it."}},
+                .tolerance = push_rounding},
                two.contacts[0].impulse);
 }
 
@@ -106,26 +106,26 @@ void grade_taking_back(Grade& grade) {
   grade.number(
       {.what = "pulled up by 0.6 m/s afterwards: impulse (N s)",
        .value = 0.16,
-       .tolerance = push_rounding,
        .misconceptions = {{0.4, "A correction may be negative: only the sum may not. Clamp the sum."},
                           {0.24, both_move},
-                          {0.32, both_move}}},
+                          {0.32, both_move}},
+       .tolerance = push_rounding},
       contact.impulse);
   boxes[1].velocity += 2;
   update(contact, boxes);
   grade.number({.what = "pulled up by 2 m/s more: impulse (N s)",
                 .value = 0,
-                .tolerance = push_rounding,
-                .misconceptions = {{-0.64, "A contact cannot pull: its impulse is never below 0."}}},
+                .misconceptions = {{-0.64, "A contact cannot pull: its impulse is never below 0."}},
+                .tolerance = push_rounding},
                contact.impulse);
   grade.number(
       {.what = "and what the box below keeps of it (m/s)",
        .value = 0,
-       .tolerance = push_rounding,
        .misconceptions = {{0.32, contact.impulse < 0
                                      ? ""
                                      : "Apply what the clamp has left of the correction, not all of it."},
-                          {-0.28, "Apply the change of the sum, not the sum: it was given before in part."}}},
+                          {-0.28, "Apply the change of the sum, not the sum: it was given before in part."}},
+       .tolerance = push_rounding},
       boxes[0].velocity);
 }
 

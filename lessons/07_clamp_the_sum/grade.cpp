@@ -41,16 +41,15 @@ void grade_first_visit(Grade& grade) {
   const bool is_given = landing.left.impulse != 0, is_backwards = is_near(landing.box.velocity, -18);
   grade.number({.what = "first visit: how fast the box rises (m/s)",
                 .value = -2,
-                .tolerance = visit_rounding,
                 .misconceptions = {{-10, is_given ? not_moved : nothing_given},
                                    {-18, backwards},
                                    {15.6, "A push of 1 N s changes the velocity by 1/m."},
-                                   {6, "A push of 1 N s changes the velocity by 1/m."}}},
+                                   {6, "A push of 1 N s changes the velocity by 1/m."}},
+                .tolerance = visit_rounding},
                landing.box.velocity);
   grade.number(
       {.what = "first visit: how fast the box turns (rad/s)",
        .value = -8,
-       .tolerance = visit_rounding,
        .misconceptions =
            {{0, is_given ? "A push away from the centre turns the box as well." : nothing_given},
             {8, is_backwards ? backwards
@@ -58,7 +57,8 @@ void grade_first_visit(Grade& grade) {
             {2, "The place comes in once here: its square is in j M⁻¹ jᵀ."},
             {-6.4, "A push of 1 N s at a place changes the spin by place/I."},
             {-4, "A push of 1 N s at a place changes the spin by place/I."},
-            {32, "The place counts: a push at the centre does not turn the box."}}},
+            {32, "The place counts: a push at the centre does not turn the box."}},
+       .tolerance = visit_rounding},
       landing.box.spin);
 }
 
@@ -70,35 +70,37 @@ void grade_sum(Grade& grade) {
   const bool has_moved = one.box.velocity != -10;
   grade.number({.what = "sweep 1: impulse of the left foot (N s)",
                 .value = 16,
-                .tolerance = visit_rounding,
                 .misconceptions = {{0, has_moved ? not_noted : nothing_given},
                                    {1000, "The clamp has two ends: no more than is needed, either."},
-                                   {32, counted_twice}}},
+                                   {32, counted_twice}},
+                .tolerance = visit_rounding},
                one.left.impulse);
   grade.number({.what = "sweep 1: impulse of the right foot (N s)",
                 .value = 6.4,
-                .tolerance = visit_rounding,
-                .misconceptions = {{16, not_moved}}},
+                .misconceptions = {{16, not_moved}},
+                .tolerance = visit_rounding},
                one.right.impulse);
   // The left foot rises at 0.625 16 + 0.375 6.4 − 10 = 2.4 m/s; 2.4 / 0.625 = 3.84 is too much.
   grade.number({.what = "sweep 2: impulse of the left foot (N s)",
                 .value = 12.16,
-                .tolerance = visit_rounding,
                 .misconceptions = {{16, clamp_the_sum},
                                    {0, is_noted ? forgotten : ""},
                                    {28.16, "The clamped sum is all of it: set foot.impulse to it."},
-                                   {19.84, "A foot that rises gets less: the correction is negative here."}}},
+                                   {19.84, "A foot that rises gets less: the correction is negative here."}},
+                .tolerance = visit_rounding},
                two.left.impulse);
   const bool takes_back = is_near(two.left.impulse, 12.16);
   const char* const clamped_each = is_near(two.left.impulse, 16) ? clamp_the_sum : "";
   grade.number(
-      {.what = "20 sweeps: how fast the box rises (m/s)",
-       .value = 0,
-       .tolerance = 1e-7,  // 0.6 a visit, 40 visits
-       .misconceptions = {{1.2, takes_back
-                                    ? "The clamped push must also be the one that is applied to the box."
-                                    : clamped_each},
-                          {7.28, sum_again}}},
+      {
+          .what = "20 sweeps: how fast the box rises (m/s)",
+          .value = 0,
+          .misconceptions = {{1.2, takes_back
+                                       ? "The clamped push must also be the one that is applied to the box."
+                                       : clamped_each},
+                             {7.28, sum_again}},
+          .tolerance = 1e-7  // 0.6 a visit, 40 visits
+      },
       many.box.velocity);
 }
 
@@ -109,23 +111,23 @@ void grade_ends(Grade& grade) {
   grade.number(
       {.what = "feet of 12 N s at most: impulse of the left foot (N s)",
        .value = 12,
-       .tolerance = visit_rounding,
        .misconceptions = {{16, "A foot gives no more than `strongest`."},
                           {24, counted_twice},
                           {0,
-                           gives ? "What is too much goes to `strongest`: the foot still gives that." : ""}}},
+                           gives ? "What is too much goes to `strongest`: the foot still gives that." : ""}},
+       .tolerance = visit_rounding},
       weak.left.impulse);
   grade.number({.what = "feet of 12 N s at most: how fast the left foot comes down (m/s)",
                 .value = -10 + 0.625 * 12 + 0.375 * 8.8,
-                .tolerance = visit_rounding,
-                .misconceptions = {{2.4, is_near(weak.left.impulse, 12) ? left_over : ""}}},
+                .misconceptions = {{2.4, is_near(weak.left.impulse, 12) ? left_over : ""}},
+                .tolerance = visit_rounding},
                weak.box.velocity - 0.25 * weak.box.spin);
   const Landing twice = landed(9, 2);
   grade.number({.what = "feet of 9 N s at most, 2 sweeps: impulse of the left foot (N s)",
                 .value = 9,
-                .tolerance = visit_rounding,
                 .misconceptions = {{10.6, "The most is for the sum of all visits, not for each push."},
-                                   {11.36, "The most is for the sum of all visits, not for each push."}}},
+                                   {11.36, "The most is for the sum of all visits, not for each push."}},
+                .tolerance = visit_rounding},
                twice.left.impulse);
   Box light{.inverse_mass = 2, .inverse_inertia = 10, .velocity = -3};
   Foot foot{.place = 0, .strongest = 1000};
@@ -134,17 +136,17 @@ void grade_ends(Grade& grade) {
   visit(foot, light);
   grade.number({.what = "0.5 kg, pulled up at 8 m/s afterwards: impulse (N s)",
                 .value = 0,
-                .tolerance = visit_rounding,
                 .misconceptions = {{-2.5, "A foot cannot pull: the sum is never below 0."},
                                    {-3, counted_twice},
-                                   {1.5, clamp_the_sum}}},
+                                   {1.5, clamp_the_sum}},
+                .tolerance = visit_rounding},
                foot.impulse);
   grade.number({.what = "and how fast it rises then (m/s)",
                 .value = 5,
-                .tolerance = visit_rounding,
                 .misconceptions = {{0, foot.impulse < 0 ? "" : left_over},
                                    {2, counted_twice},
-                                   {8, foot.impulse > 0 ? clamp_the_sum : left_over}}},
+                                   {8, foot.impulse > 0 ? clamp_the_sum : left_over}},
+                .tolerance = visit_rounding},
                light.velocity);
 }
 

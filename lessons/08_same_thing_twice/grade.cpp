@@ -75,18 +75,17 @@ void grade_pair(Grade& grade) {
   const bool own_is_missing = std::abs(updated(1, triple(), eta_of_three) - without_own) <= update_rounding;
   grade.number({.what = "2 and 0.5 kg, nothing given yet: η (N)",
                 .value = 20,
-                .tolerance = update_rounding,
                 .misconceptions = {{-20, sign},
                                    {0, start},
                                    {0.008, "(27) divides by Δt."},
                                    {1 / (1.5 * 0.02), "J_i M⁻¹ J_iᵀ has J_i in it twice."},
                                    {0.4, "That is an impulse: λ is a force, so divide by Δt in (27)."},
                                    {25, "J_i M⁻¹ J_iᵀ has the inverse masses in it."},
-                                   {125, "Divide by J_i M⁻¹ J_iᵀ."}}},
+                                   {125, "Divide by J_i M⁻¹ J_iᵀ."}},
+                .tolerance = update_rounding},
                first);
   grade.number({.what = "10 N given already: η (N)",
                 .value = 20,
-                .tolerance = update_rounding,
                 .misconceptions = {{10, "That is the correction of (27): add it to η_i."},
                                    {30, own_is_missing
                                             ? own_row
@@ -94,14 +93,15 @@ void grade_pair(Grade& grade) {
                                    {-470, "(26): an impulse is η Δt."},
                                    {22, "(26): an impulse changes a velocity by 1/m."},
                                    {40, "The sign in (26): a row pushes along its J."},
-                                   {0, first < 0 ? sign : start}}},
+                                   {0, first < 0 ? sign : start}},
+                .tolerance = update_rounding},
                updated(0, pair(0), {10}));
   grade.number({.what = "with ζ = 0.2 m/s: η (N)",
                 .value = 24,
-                .tolerance = update_rounding,
                 .misconceptions = {{20, "ζ is missing: the row wants j·v = ζ."},
                                    {220, "ζ is a speed, as j·v is: Δt divides both."},
-                                   {16, sign}}},
+                                   {16, sign}},
+                .tolerance = update_rounding},
                updated(0, pair(0.2), {10}));
   Problem parting = pair(0);
   parting.start_velocity = {0, 1};
@@ -109,9 +109,9 @@ void grade_pair(Grade& grade) {
   grade.number(
       {.what = "parting at 1 m/s, step of 0.03 s, 10 N given: η (N)",
        .value = -0.4 / 0.03,
-       .tolerance = update_rounding,
        .misconceptions = {{0, first > 0 ? "Before any clamp: the update itself may be negative." : ""},
-                          {-20, "The step has 0.03 s here: take problem.dt."}}},
+                          {-20, "The step has 0.03 s here: take problem.dt."}},
+       .tolerance = update_rounding},
       updated(0, parting, {10}));
 }
 
@@ -122,7 +122,6 @@ void grade_triple(Grade& grade) {
   grade.number(
       {.what = "three rows: η_2 (N)",
        .value = by_matrix(problem, 1, eta, 0, 3),
-       .tolerance = update_rounding,
        .misconceptions = {{by_matrix(problem, 1, eta, 0, 2),
                            "The last row is missing in (26): all rows have given impulses."},
                           {by_matrix(problem, 1, eta, 1, 3),
@@ -134,7 +133,8 @@ void grade_triple(Grade& grade) {
                           {alone + eta[1] - (eta[0] + eta[1] + eta[2]),
                            "In (26) each row pushes along its own J: J_j, and J_i in (27)."},
                           {by_matrix(problem, 1, List<double>(3, eta[1]), 0, 3),
-                           "In (26) each row has its own η: η_j."}}},
+                           "In (26) each row has its own η: η_j."}},
+       .tolerance = update_rounding},
       updated(1, problem, eta));
   List<double> swept(3, 0);
   for (int sweep = 0; sweep < 10; ++sweep) {

@@ -32,44 +32,44 @@ void grade_keys(Grade& grade) {
   const bool undoes = first == 0 && same.rows[2].impulse == 1;
   grade.number({.what = "rows 7, 4, 9 as before: impulse of row 7 (N s)",
                 .value = 3,
-                .tolerance = begin_rounding,
                 .misconceptions = {{0, undoes ? undone : had},
-                                   {0.06, "What is kept is an impulse already: no further dt."}}},
+                                   {0.06, "What is kept is an impulse already: no further dt."}},
+                .tolerance = begin_rounding},
                first);
   grade.number(
       {.what = "in the order 9, 7, 4: impulse of row 9 (N s)",
        .value = 1,
-       .tolerance = begin_rounding,
        .misconceptions = {{3, "That belongs to row 7: rows are known by their key, not by their place."},
-                          {0, first == 0 ? had : "Row 9 is the last of `kept`: look at all of them."}}},
+                          {0, first == 0 ? had : "Row 9 is the last of `kept`: look at all of them."}},
+       .tolerance = begin_rounding},
       other.rows[0].impulse);
   grade.number({.what = "row 5 is new: its impulse (N s)",
                 .value = 0,
-                .tolerance = begin_rounding,
                 .misconceptions = {{3, "That belongs to row 7: a new row begins with 0."},
                                    {1, "That belongs to row 9: a new row begins with 0."},
-                                   {2, "That belongs to row 4: a new row begins with 0."}}},
+                                   {2, "That belongs to row 4: a new row begins with 0."}},
+                .tolerance = begin_rounding},
                changed.rows[0].impulse);
   grade.number({.what = "row 4 after it: its impulse (N s)",
                 .value = 2,
-                .tolerance = begin_rounding,
                 .misconceptions = {{0, alone == 2 ? "A new row must not end the loop: row 4 was there before."
                                        : undoes   ? undone
-                                                  : had}}},
+                                                  : had}},
+                .tolerance = begin_rounding},
                changed.rows[1].impulse);
   Begun again = changed;
   begin_step(again.rows, again.bodies, {}, 0.02, 0.02);
   grade.number({.what = "nothing is kept: impulse of row 4 (N s)",
                 .value = 0,
-                .tolerance = begin_rounding,
-                .misconceptions = {{2, "A row that was not there begins with 0: set it."}}},
+                .misconceptions = {{2, "A row that was not there begins with 0: set it."}},
+                .tolerance = begin_rounding},
                again.rows[1].impulse);
   const bool felt = changed.bodies[1].velocity == -3;
   grade.number(
       {.what = "and by how much its body rises faster (m/s)",
        .value = 0,
-       .tolerance = begin_rounding,
-       .misconceptions = {{-1, felt ? "The step begins anew: give the impulse, not its change." : ""}}},
+       .misconceptions = {{-1, felt ? "The step begins anew: give the impulse, not its change." : ""}},
+       .tolerance = begin_rounding},
       again.bodies[1].velocity - changed.bodies[1].velocity);
 }
 
@@ -83,7 +83,6 @@ void grade_bodies(Grade& grade) {
   const char* const down = "Action and reaction: row 4 pushes the lower body down.";
   grade.number({.what = "0.1 N s upon 0.4 kg: velocity of the upper body (m/s)",
                 .value = 0,
-                .tolerance = begin_rounding,
                 .misconceptions = {{-0.25, is_guessed ? acts : ""},
                                    {-0.15, "An impulse changes a velocity by 1/m."},
                                    {-0.21, "An impulse changes a velocity by 1/m: multiply by inverse_mass."},
@@ -91,14 +90,15 @@ void grade_bodies(Grade& grade) {
                                    {0.25, "Add to the velocity: do not replace it."},
                                    {-0.5, "The row pushes the body above up, not down."},
                                    {-0.2, "Each body has its own inverse mass."},
-                                   {1, "That is the impulse of row 7: by key, not by place."}}},
+                                   {1, "That is the impulse of row 7: by key, not by place."}},
+                .tolerance = begin_rounding},
                bodies[2].velocity);
   const bool rises = std::abs(bodies[2].velocity) <= begin_rounding;
   grade.number({.what = "0.5 - 0.1 N s upon 2 kg: velocity of the lower body (m/s)",
                 .value = 0.2,
-                .tolerance = begin_rounding,
                 .misconceptions = {{0.25, rises ? down : ""},
-                                   {0.3, "Action and reaction: row 4 pushes the lower body down, not up."}}},
+                                   {0.3, "Action and reaction: row 4 pushes the lower body down, not up."}},
+                .tolerance = begin_rounding},
                bodies[1].velocity);
   const bool is_right = std::abs(bodies[1].velocity - 0.2) <= begin_rounding;
   List<Row> other = {{.key = 7, .below = 2, .above = 1}};
@@ -107,8 +107,8 @@ void grade_bodies(Grade& grade) {
   grade.number(
       {.what = "a row from body 2 up to body 1: velocity of body 2 (m/s)",
        .value = -1.25,
-       .tolerance = begin_rounding,
-       .misconceptions = {{0, is_right ? "A row says which bodies it has: row.below, row.above." : ""}}},
+       .misconceptions = {{0, is_right ? "A row says which bodies it has: row.below, row.above." : ""}},
+       .tolerance = begin_rounding},
       apart[2].velocity);
 }
 
@@ -118,24 +118,23 @@ void grade_steps(Grade& grade) {
   const bool is_scaled = shorter.rows[0].impulse == 1.5, acts = same.bodies[1].velocity == -2.5;
   grade.number({.what = "half the step: impulse of row 7 (N s)",
                 .value = 1.5,
-                .tolerance = begin_rounding,
                 .misconceptions = {{3, "The force stays, and the impulse is force times dt: half of it."},
                                    {6, "A shorter step needs less, not more."},
-                                   {0.75, "dt_now / dt_before comes in once."}}},
+                                   {0.75, "dt_now / dt_before comes in once."}},
+                .tolerance = begin_rounding},
                shorter.rows[0].impulse);
-  grade.number(
-      {.what = "half the step: velocity of its body of 2 kg (m/s)",
-       .value = -4 + 0.75,
-       .tolerance = begin_rounding,
-       .misconceptions = {{-2.5, is_scaled && acts ? "The bodies get the scaled impulse too." : ""}}},
-      shorter.bodies[1].velocity);
+  grade.number({.what = "half the step: velocity of its body of 2 kg (m/s)",
+                .value = -4 + 0.75,
+                .misconceptions = {{-2.5, is_scaled && acts ? "The bodies get the scaled impulse too." : ""}},
+                .tolerance = begin_rounding},
+               shorter.bodies[1].velocity);
   grade.number(
       {.what = "one and a half of the step: impulse of row 7 (N s)",
        .value = 4.5,
-       .tolerance = begin_rounding,
        .misconceptions = {{3, is_scaled ? ratio : "The force stays, and the step is longer: more of it."},
                           {1.5, ratio},
-                          {2, "A longer step needs more, not less."}}},
+                          {2, "A longer step needs more, not less."}},
+       .tolerance = begin_rounding},
       longer.rows[0].impulse);
 }
 

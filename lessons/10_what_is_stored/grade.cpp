@@ -47,7 +47,6 @@ Exercise exercise() {
         grade.number(
             {.what = "4 boxes on each other, a row each",
              .value = 10,
-             .tolerance = 0,
              .misconceptions = {{6, "The diagonal counts too: a row shares its bodies with itself."},
                                 {7, two == 28 ? cross : "A has two halves: A_ij and A_ji."},
                                 {3, two == 16 ? "A has two halves, A_ij and A_ji, and a diagonal." : both},
@@ -61,33 +60,34 @@ Exercise exercise() {
                                 {4,
                                  "A row meets its neighbours: the first body of one row may be the second of "
                                  "another."},
-                                {0, "A body can move whatever its mass: the inverse mass is above 0."}}},
+                                {0, "A body can move whatever its mass: the inverse mass is above 0."}},
+             .tolerance = 0},
             entries(stack_rows(4, 1), masses(4, 0)));
         // Each entry becomes a block of 2 x 2.
         grade.number({.what = "4 boxes on each other, two rows each",
                       .value = 40,
-                      .tolerance = 0,
                       .misconceptions = {{22, "Rows share bodies, whatever their places: look at all pairs."},
-                                         {28, cross}}},
+                                         {28, cross}},
+                      .tolerance = 0},
                      two);
         grade.number(
             {.what = "5 boxes side by side on the ground",
              .value = 5,
-             .tolerance = 0,
-             .misconceptions = {{25, "They share the ground only, and M⁻¹ of the ground is 0: so is A_ij."}}},
+             .misconceptions = {{25, "They share the ground only, and M⁻¹ of the ground is 0: so is A_ij."}},
+             .tolerance = 0},
             beside);
         grade.number({.what = "5 boxes on a tray that can move",
                       .value = 25,
-                      .tolerance = 0,
                       .misconceptions = {{5, "The tray can move: it couples all rows that act on it."},
-                                         {30, "A row shares two bodies with itself: one entry, not two."}}},
+                                         {30, "A row shares two bodies with itself: one entry, not two."}},
+                      .tolerance = 0},
                      entries(side_by_side(5), masses(5, 0.25)));
         // Body 3 is the wall, and the second body of its rows.
         grade.number(
             {.what = "3 boxes at a wall, two of them also at each other",
              .value = 8,
-             .tolerance = 0,
-             .misconceptions = {{14, "The wall cannot move, and it is the second body of its rows."}}},
+             .misconceptions = {{14, "The wall cannot move, and it is the second body of its rows."}},
+             .tolerance = 0},
             entries({{0, 3}, {1, 3}, {2, 3}, {0, 1}}, {0.5, 2, 0.5, 0}));
       }};
 }

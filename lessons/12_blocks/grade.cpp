@@ -44,7 +44,7 @@ bool is_near(const Pair& got, const Pair& value) {
 
 struct Wrong {
   Pair impulse = {};
-  std::string what = {};
+  const char* what = "";
 };
 
 List<Wrong> wrong_impulses() {
@@ -102,22 +102,22 @@ bool grade_two_bodies(Grade& grade) {
   grade.number(
       {.what = "what is left of j·v along y (m/s)",
        .value = 0,
-       .tolerance = block_rounding,
        .misconceptions = {{11.25, moved ? opposite : "The velocities have not changed: push both bodies."},
                           {22.5, is_given ? opposite : ""},
                           {7.25, is_given ? opposite : ""},
-                          {4, is_given ? opposite : ""}}},
+                          {4, is_given ? opposite : ""}},
+       .tolerance = block_rounding},
       left[1]);
   visit(scene.pin, scene.one, scene.two);
   grade.number({.what = "what is left of it after a second visit (m/s)",
                 .value = 0,
-                .tolerance = block_rounding,
-                .misconceptions = {{-11.25, "The sum has acted before: push what this visit adds."}}},
+                .misconceptions = {{-11.25, "The sum has acted before: push what this visit adds."}},
+                .tolerance = block_rounding},
                row_velocities(scene.pin, scene.one, scene.two)[1]);
   grade.number({.what = "after a second visit: impulse along x (N s)",
                 .value = 1,
-                .tolerance = block_rounding,
-                .misconceptions = {{0, is_given ? "Add to what the pin has given before." : ""}}},
+                .misconceptions = {{0, is_given ? "Add to what the pin has given before." : ""}},
+                .tolerance = block_rounding},
                scene.pin.px);
   return is_given;
 }
@@ -132,14 +132,14 @@ void grade_rod(Grade& grade, bool gives) {
   const char* const ground =
       gives ? "Body 1 is the ground: its 1/m and 1/I are 0, and it has no mass to divide by." : "";
   const double infinity = std::numeric_limits<double>::infinity();
-  const List<Misconception> wrong = {{std::nan(""), ground}, {infinity, ground}, {0, ground}};
+  const std::vector<Misconception> wrong = {{std::nan(""), ground}, {infinity, ground}, {0, ground}};
   grade.number({.what = "rod of 2 kg at 45 degrees: impulse along x (N s)",
                 .value = 0.15,
-                .tolerance = block_rounding,
-                .misconceptions = wrong},
+                .misconceptions = wrong,
+                .tolerance = block_rounding},
                scene.pin.px);
   grade.number(
-      {.what = "and along y (N s)", .value = 0.25, .tolerance = block_rounding, .misconceptions = wrong},
+      {.what = "and along y (N s)", .value = 0.25, .misconceptions = wrong, .tolerance = block_rounding},
       scene.pin.py);
 }
 

@@ -36,7 +36,7 @@ Visit with_softness(double gamma, double beta) {
 }
 
 /// What a visit with a mistake makes of the impulse, and the words for it.
-List<Misconception> known_impulses(const Visit& right) {
+std::vector<Misconception> known_impulses(const Visit& right) {
   const double before = spring_before.impulse, inverse = right.inverse, gamma = right.gamma;
   const double stiff = spring_before.damping + spring_before.stiffness;  // in different units
   const char* const mixed = "d + Δt k: a stiffness is a damping when it is multiplied by Δt.";
@@ -90,12 +90,11 @@ bool grade_visit(Grade& grade) {
   const double added = right.added();
   grade.number({.what = "impulse after the visit (N s)",
                 .value = spring_before.impulse + added,
-                .tolerance = soft_rounding,
-                .misconceptions = known_impulses(right)},
+                .misconceptions = known_impulses(right),
+                .tolerance = soft_rounding},
                spring.impulse);
   grade.number({.what = "velocity of the 0.7 kg above (m/s)",
                 .value = above_before.velocity + added * above_before.inverse_mass,
-                .tolerance = soft_rounding,
                 .misconceptions = {{above_before.velocity, "The impulse acts on the body above."},
                                    {above_before.velocity - added * above_before.inverse_mass,
                                     "A push is upwards for the body above."},
@@ -105,17 +104,18 @@ bool grade_visit(Grade& grade) {
                                    {above_before.velocity + added * below_before.inverse_mass,
                                     "Each body has its own inverse mass."},
                                    {above_before.velocity + (right.given + added) * above_before.inverse_mass,
-                                    "Apply what this visit adds: the rest was applied before."}}},
+                                    "Apply what this visit adds: the rest was applied before."}},
+                .tolerance = soft_rounding},
                above.velocity);
   grade.number({.what = "velocity of the 3 kg below (m/s)",
                 .value = below_before.velocity - added * below_before.inverse_mass,
-                .tolerance = soft_rounding,
                 .misconceptions = {{below_before.velocity, "The impulse acts on the body below, too."},
                                    {below_before.velocity - added, "Divide by the mass."},
                                    {below_before.velocity - (right.given + added) * below_before.inverse_mass,
                                     "Apply what this visit adds: the rest was applied before."},
                                    {below_before.velocity + added * below_before.inverse_mass,
-                                    "What pushes the body above up pushes the one below down."}}},
+                                    "What pushes the body above up pushes the one below down."}},
+                .tolerance = soft_rounding},
                below.velocity);
   return spring.impulse != spring_before.impulse;
 }
@@ -136,9 +136,9 @@ void grade_pull(Grade& grade, bool adds) {
   grade.number(
       {.what = "stretched by 0.15 m, a step of 0.05 s: impulse (N s)",
        .value = pull(0.05),
-       .tolerance = soft_rounding,
        .misconceptions = {{0, adds ? "A spring pulls as well: nothing is clamped." : ""},
-                          {pull(dt), "The step has 0.05 s here: take dt, not a number of your own."}}},
+                          {pull(dt), "The step has 0.05 s here: take dt, not a number of your own."}},
+       .tolerance = soft_rounding},
       spring.impulse);
 }
 
@@ -162,10 +162,9 @@ void grade_tower(Grade& grade, bool adds) {
   grade.number(
       {.what = "two weights, 200 sweeps: impulse of the lower spring (N s)",
        .value = (b1 * a22 - a12 * b2) / (a11 * a22 - a12 * a12),
-       .tolerance = soft_rounding,
        .misconceptions = {{std::nan(""), is_none ? "The ground has 1/m = 0, and no mass to divide by." : ""},
-                          {0,
-                           adds ? "The ground carries a spring as well: its 1/m is 0, and no more." : ""}}},
+                          {0, adds ? "The ground carries a spring as well: its 1/m is 0, and no more." : ""}},
+       .tolerance = soft_rounding},
       first.impulse);
 }
 

@@ -70,7 +70,6 @@ void grade_error(Grade& grade, const Row& row) {
   const char* const every_end = "c has every end: one is missing.";
   grade.number({.what = "c: what is left of the rope (m)",
                 .value = -0.7,
-                .tolerance = rope_rounding,
                 .misconceptions = {{-1.5, pays_out},
                                    {-2.3, pays_out},
                                    {0.1, "A drum that turns by an angle pays out radius * angle."},
@@ -84,13 +83,14 @@ void grade_error(Grade& grade, const Row& row) {
                                    {3.05, every_end},
                                    {-11.45, "c begins with the length of the rope."},
                                    {8.25, "Every end takes its part of the rope: subtract, do not set."},
-                                   {0.7, "c is the room that is left: positive where the rope is slack."}}},
+                                   {0.7, "c is the room that is left: positive where the rope is slack."}},
+                .tolerance = rope_rounding},
                row.error);
   const bool is_right = std::abs(row.error + 0.7) <= rope_rounding;
   grade.number({.what = "c where the drum has turned by 4 rad more (m)",
                 .value = 1.3,
-                .tolerance = rope_rounding,
-                .misconceptions = {{0, is_right ? "A rope may be slack: c is positive then." : ""}}},
+                .misconceptions = {{0, is_right ? "A rope may be slack: c is positive then." : ""}},
+                .tolerance = rope_rounding},
                rope().row(hanging(5.6)).error);
 }
 
@@ -106,32 +106,32 @@ void grade_jacobian(Grade& grade, const Row& row) {
   const bool own = entry(1, 1, 0) != 2;  // the body's own term, not that of its neighbour
   grade.number({.what = "j·v where the 0.5 kg on two parts rise at 1 m/s (m/s)",
                 .value = 2,
-                .tolerance = rope_rounding,
                 .misconceptions = {{1, own ? "j has the parts: two parts get shorter at once." : ""},
                                    {4, "j has the parts once: the square comes from j M⁻¹ jᵀ."},
-                                   {-2, rise}}},
+                                   {-2, rise}},
+                .tolerance = rope_rounding},
                entry(2, 1, 0));
   grade.number(
       {.what = "j·v where the last 0.5 kg rise at 1 m/s (m/s)",
        .value = 1,
-       .tolerance = rope_rounding,
-       .misconceptions = {{0, own ? "The row needs a term for every end: the last is missing." : ""}}},
+       .misconceptions = {{0, own ? "The row needs a term for every end: the last is missing." : ""}},
+       .tolerance = rope_rounding},
       entry(3, 1, 0));
   grade.number(
       {.what = "j·v where the drum turns at 1 rad/s (m/s)",
        .value = 0.5,
-       .tolerance = rope_rounding,
        .misconceptions =
            {{0, row.terms.size() > 3 ? "The drum turns, it does not rise: its entry is in omega."
                                      : "There is no term for the drum."},
             {-0.5, entry(2, 1, 0) < 0 ? rise : "A drum that pays out leaves more rope: both signs are +."},
             {0.25, "The radius comes in once: rope is paid out at radius * omega."},
-            {1, "The radius is in j: rope is paid out at radius * omega."}}},
+            {1, "The radius is in j: rope is paid out at radius * omega."}},
+       .tolerance = rope_rounding},
       entry(0, 0, 1));
   grade.number({.what = "j·v where the drum rises, and a mass turns (m/s)",
                 .value = 0,
-                .tolerance = rope_rounding,
-                .misconceptions = {{0.5, one_of_two}, {1, own ? one_of_two : ""}}},
+                .misconceptions = {{0.5, one_of_two}, {1, own ? one_of_two : ""}},
+                .tolerance = rope_rounding},
                entry(0, 1, 0) + entry(2, 0, 1));
 }
 
@@ -141,25 +141,25 @@ void grade_force(Grade& grade, const Row& row) {
   const bool opens = speed_of(row, falling) < 0;
   grade.number({.what = "λ after one step of falling (N)",
                 .value = 4 * gravity / 11.125,
-                .tolerance = rope_rounding,
-                .misconceptions = {{0, opens ? "λ is bounded from below: the rope pulls with λ ≥ 0." : ""}}},
+                .misconceptions = {{0, opens ? "λ is bounded from below: the rope pulls with λ ≥ 0." : ""}},
+                .tolerance = rope_rounding},
                visit(row, falling));
   List<Body> rising = bodies();
   rising[1].vy = 1;
   grade.number({.what = "λ where the 2 kg rise (N)",
                 .value = 0,
-                .tolerance = rope_rounding,
-                .misconceptions = {{-1 / (11.125 * dt), "A rope cannot push: λ ≥ 0."}}},
+                .misconceptions = {{-1 / (11.125 * dt), "A rope cannot push: λ ≥ 0."}},
+                .tolerance = rope_rounding},
                visit(row, rising));
   List<Body> torn = bodies();
   torn[1].vy = -20;
   grade.number({.what = "λ where the 2 kg are torn down at 20 m/s (N)",
                 .value = 40,
-                .tolerance = rope_rounding,
                 .misconceptions = {{20 / (11.125 * dt), "The drum slips: λ is at most its grip."},
                                    {20, "The grip is a pull in N, not a moment: no radius."},
                                    {80, "The grip is a pull in N, not a moment: no radius."},
-                                   {40 * dt, "The interval is one of λ in N, not of an impulse."}}},
+                                   {40 * dt, "The interval is one of λ in N, not of an impulse."}},
+                .tolerance = rope_rounding},
                visit(row, torn));
 }
 

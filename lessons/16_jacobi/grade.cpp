@@ -40,7 +40,7 @@ enum class Slip {
 
 struct Known {
   Slip slip = Slip::none;
-  std::string what = {};
+  const char* what = "";
 };
 
 List<Known> known() {
@@ -190,11 +190,13 @@ void grade_end(Grade& grade, int count) {
   const double sum = std::accumulate(stand.feet.begin(), stand.feet.end(), 0.0,
                                      [](double all, const Foot& foot) { return all + foot.impulse; });
   grade.number(
-      {.what = std::to_string(count) + " feet, after 400 sweeps: sum of impulses (N s)",
-       .value = 2,
-       .tolerance = 1e-6,  // the tilt decays slowest, by 1 - 6 mean of x² or less a sweep
-       .misconceptions = {{0,
-                           gives ? "It never comes to rest: at the end of this sweep no foot pushes." : ""}}},
+      {
+          .what = std::to_string(count) + " feet, after 400 sweeps: sum of impulses (N s)",
+          .value = 2,
+          .misconceptions = {{0, gives ? "It never comes to rest: at the end of this sweep no foot pushes."
+                                       : ""}},
+          .tolerance = 1e-6  // the tilt decays slowest, by 1 - 6 mean of x² or less a sweep
+      },
       sum);
 }
 

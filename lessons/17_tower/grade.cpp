@@ -47,7 +47,7 @@ enum class Slip {
 
 struct Known {
   Slip slip = Slip::none;
-  std::string what = {};
+  const char* what = "";
 };
 
 List<Known> known() {

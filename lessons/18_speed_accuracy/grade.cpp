@@ -45,7 +45,7 @@ enum class Slip {
 
 struct Known {
   Slip slip = Slip::none;
-  std::string what = {};
+  const char* what = "";
 };
 
 List<Known> known() {
@@ -200,13 +200,13 @@ void grade_all(Grade& grade) {
   const double best = 2 / (1 + std::sin(std::acos(-1.0) / 20));  // D. M. Young, 1954
   grade.number({.what = "ten boxes of 1 kg, ω = 1: sweeps to 1 %",
                 .value = 178,
-                .tolerance = 0,
-                .misconceptions = {{1000, starts ? "It never comes to the exact loads." : ""}}},
+                .misconceptions = {{1000, starts ? "It never comes to the exact loads." : ""}},
+                .tolerance = 0},
                sweeps_to_one_percent(ten, 1));
   grade.number({.what = "ten boxes of 1 kg, the best ω: sweeps to 1 %",
                 .value = 21,
-                .tolerance = 0,
-                .misconceptions = {{178, "As many as Gauss-Seidel: ω has no effect."}}},
+                .misconceptions = {{178, "As many as Gauss-Seidel: ω has no effect."}},
+                .tolerance = 0},
                sweeps_to_one_percent(ten, best));
 }
 

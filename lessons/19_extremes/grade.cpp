@@ -40,10 +40,10 @@ void grade_prediction(Grade& grade, const Case& each, const Study& got) {
   number.misconceptions.push_back(
       {std::ceil((1 - each.share) / (1 - each.rate())),
        "Each sweep takes the same share of what is left, and less and less: rate^k, not 1 - k (1 - rate)."});
+  const std::string for_another =
+      fmt::format("That is for 1 %: the share asked for is {:g} here.", each.share);
   if (each.share != 0.01) {
-    number.misconceptions.push_back(
-        {std::ceil(std::log(0.01) / std::log(each.rate())),
-         fmt::format("That is for 1 %: the share asked for is {:g} here.", each.share)});
+    number.misconceptions.push_back({std::ceil(std::log(0.01) / std::log(each.rate())), for_another.c_str()});
   }
   if (ratio > 1) {
     number.misconceptions.push_back({std::ceil(std::log(each.share) / std::log(1 - 1 / ratio)),
@@ -64,7 +64,6 @@ void grade_errors(Grade& grade, const Case& each, const Study& got) {
   grade.number(
       {.what = each.name() + ": error after sweep 1",
        .value = rate,
-       .tolerance = error_rounding,
        .misconceptions = {{first, "The error is what the load lacks, not what it has."},
                           {1 - 1 / whole, "A speed is no impulse: multiply it by the effective mass."},
                           {1 - first * time_step, "A load is a force: the impulse over Δt."},
@@ -74,25 +73,26 @@ void grade_errors(Grade& grade, const Case& each, const Study& got) {
                                   : ""},
                           {100 * rate, "A share, not percent."},
                           {0, "The ground stops the lower box alone: an impulse of below v."},
-                          {1 - below / each.above, "The exact load is that of both boxes."}}},
+                          {1 - below / each.above, "The exact load is that of both boxes."}},
+       .tolerance = error_rounding},
       error_after(got, 1));
   grade.number(
       {.what = each.name() + ": error after sweep 2",
        .value = rate * rate,
-       .tolerance = error_rounding,
        .misconceptions =
            {{rate,
              is_noted ? "Action and reaction: the contact between the boxes pushes the lower one down." : ""},
             {-first, "Divide by 1/m + 1/m between the boxes: do not multiply by the masses."},
             {1 - 2 * first - first * rate, "Gravity acts once, before the sweeps: they are one step."},
             {0, "Two bodies give way between the boxes: the effective mass has both in it."},
-            {1 - first * rate, "Add up what the ground gives: do not keep the last push alone."}}},
+            {1 - first * rate, "Add up what the ground gives: do not keep the last push alone."}},
+       .tolerance = error_rounding},
       error_after(got, 2));
   grade.number({.what = each.name() + ": error after sweep 3",
                 .value = rate * rate * rate,
-                .tolerance = error_rounding,
                 .misconceptions = {{1 - first - 2 * first * rate,
-                                    "The contact between the boxes slows the upper one down."}}},
+                                    "The contact between the boxes slows the upper one down."}},
+                .tolerance = error_rounding},
                error_after(got, 3));
 }
 
@@ -105,14 +105,14 @@ void grade_count(Grade& grade, const Case& each, const Study& got) {
   grade.number(
       {.what = each.name() + ": measured sweeps",
        .value = value,
-       .tolerance = 0,
        .misconceptions = {{0, "Nothing is measured."},
                           {most_sweeps, comes_down ? not_stopped : ""},
                           {value - 1, "Note the error of the last sweep as well, and end then."},
                           {std::ceil(std::log(0.01) / std::log(each.rate())),
                            "End where the error is at most the share that was asked for."},
                           {value + 1, "One too many: look at the error after the sweep, not before it."},
-                          {1, begins_high ? "It has stopped after one sweep." : ""}}},
+                          {1, begins_high ? "It has stopped after one sweep." : ""}},
+       .tolerance = 0},
       got.errors.size());
 }
 
@@ -123,13 +123,13 @@ void grade_at_most(Grade& grade) {
   const Study got = study(each.below, each.above, strength, time_step, each.share, 5);
   grade.number({.what = each.name() + ", at most 5 sweeps: measured sweeps",
                 .value = 5,
-                .tolerance = 0,
-                .misconceptions = {{exact, "`at_most` ends it, too."}, {6, "At most 5: one too many."}}},
+                .misconceptions = {{exact, "`at_most` ends it, too."}, {6, "At most 5: one too many."}},
+                .tolerance = 0},
                got.errors.size());
   grade.number({.what = each.name() + ", at most 5 sweeps: predicted sweeps",
                 .value = exact,
-                .tolerance = 0,
-                .misconceptions = {{5, "That is what was measured: predict it, before the first sweep."}}},
+                .misconceptions = {{5, "That is what was measured: predict it, before the first sweep."}},
+                .tolerance = 0},
                got.predicted);
 }
 

@@ -38,7 +38,7 @@ struct Mistake {
 /// A mistake, and the words for it.
 struct Known {
   Mistake mistake = {};
-  std::string what = {};
+  const char* what = "";
 };
 
 List<Known> known() {

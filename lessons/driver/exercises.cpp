@@ -7,7 +7,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "lessons/answers.hpp"
 #include "lessons/reader_code/run.hpp"
 #include "scenes/data_folder.hpp"
 
@@ -49,7 +48,7 @@ std::optional<ExerciseFiles> exercise_of(const Program& lesson) {
   const fs::path folder = lesson_folder(lesson);
   if (!fs::exists(folder / "exercise.cpp")) return std::nullopt;
   return ExerciseFiles{.program = lesson.path.parent_path() / ("exercise" + number),
-                       .answers = folder / "answers.txt"};
+                       .model = folder / "model.txt"};
 }
 
 int grade_exercise(const Program& lesson, const ExerciseFiles& files) {
@@ -66,14 +65,14 @@ int show_exercise_hint(const Program& lesson, const ExerciseFiles& files, const 
 }
 
 int show_solution(const Program& lesson, const ExerciseFiles& files) {
-  std::ifstream stream(files.answers);
+  std::ifstream stream(files.model);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (text.empty()) {
-    fmt::print(stderr, "lessons: cannot read {}, the answer to exercise {}\n", files.answers.string(),
+    fmt::print(stderr, "lessons: cannot read {}, the answer to exercise {}\n", files.model.string(),
                lesson.number);
     return not_built;
   }
-  fmt::print("{}", read_answers(text).front().code);
+  fmt::print("{}", text);
   return 0;
 }
 

@@ -11,7 +11,7 @@ namespace cairn::driver {
 /// What a lesson's folder and the folder of the programs have for its exercise.
 struct ExerciseFiles {
   std::filesystem::path program = {};  // grades; may not have been built
-  std::filesystem::path answers = {};  // answers.txt: the model is its first
+  std::filesystem::path model = {};    // the model answer
 };
 
 /// Where the texts of the lessons are. @throws std::runtime_error where they are not there.

@@ -61,12 +61,12 @@ compile() {
   local -a flags=(-std=c++20 -O0 -pipe -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
   local code
   # A main() of the reader's is left alone: the linker starts the program elsewhere.
-  printf '#include "report.hpp"\n#include "stages/0%s.cpp"\n#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" \
+  printf '#include "lessons/grading.hpp"\n#include "stages/0%s.cpp"\n#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" \
     "extern \"C\" int __wrap_main() {
   return cairn::reader_code::graded([] {
-    grading::Report report($1);
-    stage_0$1(report);
-    return report.passed() ? 0 : 1;
+    cairn::Grade grade({.width = 70, .digits = 7, .stage = $1});
+    stage_0$1(grade);
+    return grade.passed() ? 0 : 1;
   });
 }" 2>/dev/null >"$work/main.cpp" || cannot "cannot write $work/main.cpp"
   errors=$(LC_ALL=C "$runner" compiler "$file" "$compiler" "${flags[@]}" -I"$here" -I"$here/../.." -include "./$file" \

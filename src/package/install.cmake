@@ -71,7 +71,7 @@ endif()
 if(TARGET lessons)
   install(DIRECTORY lessons DESTINATION ${data_folder} COMPONENT programs
           FILES_MATCHING REGEX "/[0-9][0-9]_[a-z_]+/(README|teaching)\\.md$"
-          REGEX "/[0-9][0-9]_[a-z_]+/(exercise\\.cpp|answers\\.txt|covers\\.txt)$"
+          REGEX "/[0-9][0-9]_[a-z_]+/(exercise\\.cpp|model\\.txt|covers\\.txt)$"
           REGEX "/lessons/(glossary|prerequisites)\\.md$" REGEX "/your_solver/(README\\.md|stages/[0-9]+\\.txt)$"
           REGEX "/driver/book\\.(css|js|md)$"
           REGEX "/(sandbox|scenes|template)$" EXCLUDE)

@@ -31,6 +31,13 @@ TEST_CASE("a number holds within its tolerance, and a NaN never does") {
   CHECK_FALSE(Grade().passed());
 }
 
+TEST_CASE("without a tolerance a number holds within 1e-9, relative where it is above 1") {
+  CHECK(marked({.value = 1e6}, 1e6 + 0.9e-3).holds);
+  CHECK_FALSE(marked({.value = 1e6}, 1e6 + 1.1e-3).holds);
+  CHECK(marked({.value = 1e-3}, 1e-3 + 0.9e-9).holds);
+  CHECK_FALSE(marked({.value = 1e-3}, 1e-3 + 1.1e-9).holds);
+}
+
 TEST_CASE("a gap without code is not graded, and an exercise without its marks is") {
   const std::filesystem::path source = std::filesystem::temp_directory_path() / "cairn_exercise_tests.cpp";
   const auto is_graded = [&source](const std::string& text) {
@@ -52,19 +59,15 @@ TEST_CASE("a gap without code is not graded, and an exercise without its marks i
 TEST_CASE("a wrong number names the first misconception that gives it, and a right one none") {
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const ExpectedNumber expected{.what = "a number",
-                                .value = 2,
-                                .tolerance = 0.1,
+  const ExpectedNumber expected{.value = 2,
                                 .misconceptions = {{-2, "the sign"},
+                                                   {3, ""},
                                                    {3, "one too many"},
                                                    {3, "another"},
                                                    {infinity, "divided by 0"},
-                                                   {nan, "0 by 0"}}};
-  const auto comment_on = [&expected](double got) {
-    Grade grade;
-    grade.number(expected, got);
-    return grade.marks().front().comment;
-  };
+                                                   {nan, "0 by 0"}},
+                                .tolerance = 0.1};
+  const auto comment_on = [&expected](double got) { return marked(expected, got).comment; };
   CHECK(comment_on(2).empty());
   CHECK(comment_on(-2.05) == "the sign");
   CHECK(comment_on(3) == "one too many");

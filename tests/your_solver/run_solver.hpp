@@ -33,8 +33,8 @@ inline Ended run_line(const std::string& line) {
 inline std::string in_quotes(const std::string& word) { return "'" + word + "'"; }
 
 /// An empty folder of the build.
-inline fs::path solver_scratch(const std::string& name) {
-  const fs::path folder = fs::path(CAIRN_BINARY_DIR) / "your_solver_test" / name;
+inline fs::path scratch_folder(const std::string& name) {
+  const fs::path folder = fs::path(CAIRN_BINARY_DIR) / "reader_tests" / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;

@@ -16,7 +16,7 @@ using namespace cairn::solver_tests;
 /// What the grader says of the model of stage 00 where make_box does something more; `before` stands in front
 /// of it.
 Ended solver_that(const std::string& deed, const std::string& before) {
-  const fs::path scratch = solver_scratch("wild");
+  const fs::path scratch = scratch_folder("wild");
   std::string model = model_of(0);
   const std::string first = "Body box;";
   model.insert(model.find(first) + first.size(), deed);
@@ -58,7 +58,7 @@ TEST_CASE("a solver that ignores SIGTERM and leaves a process behind is ended wi
 }
 
 TEST_CASE("a reader's file may have a main() of its own, and a function without a body is named") {
-  const fs::path folder = solver_scratch("with_main");
+  const fs::path folder = scratch_folder("with_main");
   write_file(folder / "my_solver.cpp", model_of(0) + "\nint main() { return 7; }\n");
   CHECK(run_solver(folder, "0").code == 0);
   const std::string model = model_of(0);
@@ -70,7 +70,7 @@ TEST_CASE("a reader's file may have a main() of its own, and a function without 
 }
 
 TEST_CASE("where nothing can be written for the compiler, the place is blamed and not the reader's file") {
-  const fs::path folder = solver_scratch("nowhere");
+  const fs::path folder = scratch_folder("nowhere");
   write_file(folder / "my_solver.cpp", model_of(0));
   const std::string solver = " bash " + in_quotes(CAIRN_SOURCE_DIR "/lessons/run") + " solver";
   for (const char* words : {" 0", ""}) {

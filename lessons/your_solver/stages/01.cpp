@@ -39,7 +39,7 @@ static double turned_back(Body one, Body two, double length) {
   return rod_parts(one, 0.5, 0.25, two, -0.5, -1).distance - length;
 }
 
-static void grade_rod(grading::Report& report) {
+static void grade_rod(cairn::Grade& grade) {
   const std::vector<Body> bodies = turned_boxes();
   const Body &one = bodies[1], &two = bodies[2];
   const double length = 3;
@@ -51,48 +51,51 @@ static void grade_rod(grading::Report& report) {
   const double from_origin = turn2 + two.position[0] * uy - two.position[1] * ux;
   const Row row = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, length);
 
-  report.number(row.c,
-                {"a rod between two turned boxes: c (m)",
-                 rod_is.distance - length,
-                 {{std::hypot(two.position[0] - one.position[0], two.position[1] - one.position[1]) - length,
-                   "The rod is between points of the bodies, not between their centres."},
-                  {length - rod_is.distance, "The sign: c is positive where the rod is too long."},
-                  {rod_is.distance * rod_is.distance - length * length,
-                   "Those are m²: c is |p2 − p1| − length, without squares."},
-                  {flat, "The points are fixed in their bodies: turn them by the body's angle."},
-                  {turned_back(one, two, length), "Turned the other way: (c x − s y, s x + c y)."},
-                  {rod_is.distance, "c is what is left when the length is taken away."}}});
-  report.number(row.body1,
-                {"the rod: body1",
-                 1,
-                 {{2, "The bodies are swapped."}, {0, "body1 and body2 of the row are not set."}}});
-  report.number(row.body2, {"the rod: body2", 2, {{1, ""}, {0, "body2 of the row is not set."}}});
+  grade.number({"a rod between two turned boxes: c (m)",
+                rod_is.distance - length,
+                {{std::hypot(two.position[0] - one.position[0], two.position[1] - one.position[1]) - length,
+                  "The rod is between points of the bodies, not between their centres."},
+                 {length - rod_is.distance, "The sign: c is positive where the rod is too long."},
+                 {rod_is.distance * rod_is.distance - length * length,
+                  "Those are m²: c is |p2 − p1| − length, without squares."},
+                 {flat, "The points are fixed in their bodies: turn them by the body's angle."},
+                 {turned_back(one, two, length), "Turned the other way: (c x − s y, s x + c y)."},
+                 {rod_is.distance, "c is what is left when the length is taken away."}}},
+               row.c);
+  grade.number(
+      {"the rod: body1", 1, {{2, "The bodies are swapped."}, {0, "body1 and body2 of the row are not set."}}},
+      row.body1);
+  grade.number({"the rod: body2", 2, {{1, ""}, {0, "body2 of the row is not set."}}}, row.body2);
   const bool backwards = std::abs(row.j2[0] + ux) < 1e-9;  // u leads the other way
-  report.number(row.j2[0], {"the rod: j2[0]",
-                            ux,
-                            {{-ux, "The sign: c grows when body 2 moves along u, from point 1 to point 2."},
-                             {rod_is.dx, "u is a unit vector: divide by the distance."}}});
-  report.number(row.j1[0], {"the rod: j1[0]",
-                            -ux,
-                            {{ux, "The sign: c shrinks when body 1 moves along u. j1 has −u."},
-                             {-rod_is.dx, "u is a unit vector: divide by the distance."}}});
-  report.number(row.j2[2], {"the rod: j2[2] (m)",
-                            turn2,
-                            {{-turn2, backwards ? "" : "r × u is r_x u_y − r_y u_x: the order is reversed."},
-                             {turn1, "j2 needs the arm of body 2."},
-                             {rod_is.r2x * ux + rod_is.r2y * uy, "That is r·u. A turn comes in by r × u."},
-                             {from_origin, "The arm r begins at the body's centre, not at the origin."},
-                             {0, "A turn about the centre moves the point, too: r × u."}}});
-  report.number(row.j1[2], {"the rod: j1[2] (m)",
-                            -turn1,
-                            {{turn1, row.j1[0] > 0 || row.j2[2] * turn2 < 0
-                                         ? ""
-                                         : "The sign: all of j1 has a minus, its turn as well."},
-                             {-turn2, "j1 needs the arm of body 1."},
-                             {0, "A turn about the centre moves the point, too: r × u."}}});
+  grade.number({"the rod: j2[0]",
+                ux,
+                {{-ux, "The sign: c grows when body 2 moves along u, from point 1 to point 2."},
+                 {rod_is.dx, "u is a unit vector: divide by the distance."}}},
+               row.j2[0]);
+  grade.number({"the rod: j1[0]",
+                -ux,
+                {{ux, "The sign: c shrinks when body 1 moves along u. j1 has −u."},
+                 {-rod_is.dx, "u is a unit vector: divide by the distance."}}},
+               row.j1[0]);
+  grade.number({"the rod: j2[2] (m)",
+                turn2,
+                {{-turn2, backwards ? "" : "r × u is r_x u_y − r_y u_x: the order is reversed."},
+                 {turn1, "j2 needs the arm of body 2."},
+                 {rod_is.r2x * ux + rod_is.r2y * uy, "That is r·u. A turn comes in by r × u."},
+                 {from_origin, "The arm r begins at the body's centre, not at the origin."},
+                 {0, "A turn about the centre moves the point, too: r × u."}}},
+               row.j2[2]);
+  grade.number(
+      {"the rod: j1[2] (m)",
+       -turn1,
+       {{turn1,
+         row.j1[0] > 0 || row.j2[2] * turn2 < 0 ? "" : "The sign: all of j1 has a minus, its turn as well."},
+        {-turn2, "j1 needs the arm of body 1."},
+        {0, "A turn about the centre moves the point, too: r × u."}}},
+      row.j1[2]);
 }
 
-static void grade_rate(grading::Report& report) {
+static void grade_rate(cairn::Grade& grade) {
   std::vector<Body> bodies = turned_boxes();
   const Row row = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3);
   double part1 = 0, part2 = 0;
@@ -101,22 +104,21 @@ static void grade_rate(grading::Report& report) {
     part2 += row.j2[k] * bodies[2].velocity[k];
   }
   const double turns = row.j1[2] * bodies[1].velocity[2] + row.j2[2] * bodies[2].velocity[2];
-  report.number(rate(row, bodies),
-                {"j·v of your row, while both boxes move and turn (m/s)",
-                 part1 + part2,
-                 {{part2, "Body 1 is missing: a row has six numbers."},
-                  {part1, "Body 2 is missing: a row has six numbers."},
-                  {part2 - part1, "Add both parts: the minus is in j1 already."},
-                  {part1 + part2 - turns, "An index too few: the third number belongs to the turn."}}});
+  grade.number({"j·v of your row, while both boxes move and turn (m/s)",
+                part1 + part2,
+                {{part2, "Body 1 is missing: a row has six numbers."},
+                 {part1, "Body 2 is missing: a row has six numbers."},
+                 {part2 - part1, "Add both parts: the minus is in j1 already."},
+                 {part1 + part2 - turns, "An index too few: the third number belongs to the turn."}}},
+               rate(row, bodies));
   const Row other = rod(bodies, 2, {-0.5, -1}, 1, {0.5, 0.25}, 3);
   double fixed = 0;  // as if every row were between bodies 1 and 2
   for (std::size_t k = 0; k < 3; ++k)
     fixed += other.j1[k] * bodies[1].velocity[k] + other.j2[k] * bodies[2].velocity[k];
-  report.number(
-      rate(other, bodies),
-      {"j·v of the rod from body 2 to body 1 (m/s)",
-       part1 + part2,
-       {{fixed, row.body1 != 1 ? "" : "A row says which bodies it has: row.body1 and row.body2."}}});
+  grade.number({"j·v of the rod from body 2 to body 1 (m/s)",
+                part1 + part2,
+                {{fixed, row.body1 != 1 ? "" : "A row says which bodies it has: row.body1 and row.body2."}}},
+               rate(other, bodies));
   const RodParts rod_is = rod_parts(bodies[1], 0.5, 0.25, bodies[2], -0.5, -1);
   if (!(std::abs(row.c - (rod_is.distance - 3)) < 1e-9)) return;  // the slope of another c says nothing of j
   const double h = 1e-5;
@@ -124,18 +126,18 @@ static void grade_rate(grading::Report& report) {
   const double later = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3).c;
   move_bodies(bodies, -2 * h);
   const double earlier = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3).c;
-  report.number(part1 + part2,
-                {"that j·v should be dc/dt from two poses (m/s)", (later - earlier) / (2 * h), {}, 1e-6});
+  grade.number({"that j·v should be dc/dt from two poses (m/s)", (later - earlier) / (2 * h), {}, 1e-6},
+               part1 + part2);
 }
 
-static void grade_01(grading::Report& report) {
-  grade_rod(report);
-  grade_rate(report);
+static void grade_01(cairn::Grade& grade) {
+  grade_rod(grade);
+  grade_rate(grade);
 }
 
 /// With those before it.
-static void stage_01(grading::Report& report) {
-  stage_00(report);
-  report.begin(1);
-  grade_01(report);
+static void stage_01(cairn::Grade& grade) {
+  stage_00(grade);
+  grade.begin(1);
+  grade_01(grade);
 }

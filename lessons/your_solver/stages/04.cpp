@@ -32,26 +32,26 @@ static double coupled(Vec3 first, Vec3 weight, Vec3 second) {
   return sum;
 }
 
-static void grade_A(grading::Report& report, const System& system) {
+static void grade_A(cairn::Grade& grade, const System& system) {
   const std::vector<Row> rows = four_rows();
   const Vec3 heavy = {0.5, 0.5, 3}, light = {2, 2, 12}, ones = {1, 1, 1}, none = {};
   const double diagonal = slanted_part1 + slanted_part2;
-  report.number(static_cast<double>(system.A.size()), {"four rows: rows of A", 4, {}});
+  grade.number({"four rows: rows of A", 4}, static_cast<double>(system.A.size()));
   if (system.A.size() != 4 || system.A[1].size() != 4) return;
-  report.number(system.A[1][1], {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
-                                 diagonal,
-                                 {{1 / diagonal, "That is the effective mass: A_ii is its inverse."},
-                                  {diagonal * 0.05, "A has no Δt: only b has."},
-                                  {diagonal / 0.05, "A has no Δt: only b has."},
-                                  {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
-                                  {slanted_part2, "Body 1 is missing: sum over both bodies of the row."},
-                                  {2.5, "An index too few: the turn couples rows, too."},
-                                  {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}});
+  grade.number({"A[1][1], between 2 kg and 0.5 kg (1/kg)",
+                diagonal,
+                {{1 / diagonal, "That is the effective mass: A_ii is its inverse."},
+                 {diagonal * 0.05, "A has no Δt: only b has."},
+                 {diagonal / 0.05, "A has no Δt: only b has."},
+                 {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
+                 {slanted_part2, "Body 1 is missing: sum over both bodies of the row."},
+                 {2.5, "An index too few: the turn couples rows, too."},
+                 {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}},
+               system.A[1][1]);
   const bool is_right = std::abs(system.A[1][1] - diagonal) < 1e-9;
   const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
   const double shared = coupled(rows[0].j2, heavy, rows[1].j1);
-  report.number(
-      system.A[0][1],
+  grade.number(
       {"A[0][1]: body 1 is body 2 of one row, body 1 of the other",
        shared,
        {{0, is_diagonal
@@ -62,56 +62,60 @@ static void grade_A(grading::Report& report, const System& system) {
         {coupled(rows[0].j2, ones, rows[1].j1), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
         {coupled(rows[0].j2, light, rows[1].j1), "The inverse mass is that of the body that they share."},
         {coupled(rows[0].j2, heavy, rows[1].j2) + coupled(rows[0].j1, none, rows[1].j1),
-         "The rows share a body: look for the same body, not for the same place in the row."}}});
+         "The rows share a body: look for the same body, not for the same place in the row."}}},
+      system.A[0][1]);
   const double crossed = coupled(rows[1].j1, heavy, rows[2].j2) + coupled(rows[1].j2, light, rows[2].j1);
-  report.number(system.A[1][2],
-                {"A[1][2]: both bodies shared, the other way round (1/kg)",
-                 crossed,
-                 {{coupled(rows[1].j1, heavy, rows[2].j1) + coupled(rows[1].j2, light, rows[2].j2),
-                   "Look for the same body, not for the same place in the row."},
-                  {coupled(rows[1].j1, heavy, rows[2].j2), "Both bodies are shared: add both parts."},
-                  {coupled(rows[1].j2, light, rows[2].j1), "Both bodies are shared: add both parts."}}});
-  report.number(system.A[2][1], {"A[2][1]: A is symmetric (1/kg)",
-                                 crossed,
-                                 {{0, system.A[1][2] == 0 ? "" : "Only one half of A is filled."}}});
-  report.number(
-      system.A[0][2],
+  grade.number({"A[1][2]: both bodies shared, the other way round (1/kg)",
+                crossed,
+                {{coupled(rows[1].j1, heavy, rows[2].j1) + coupled(rows[1].j2, light, rows[2].j2),
+                  "Look for the same body, not for the same place in the row."},
+                 {coupled(rows[1].j1, heavy, rows[2].j2), "Both bodies are shared: add both parts."},
+                 {coupled(rows[1].j2, light, rows[2].j1), "Both bodies are shared: add both parts."}}},
+               system.A[1][2]);
+  grade.number({"A[2][1]: A is symmetric (1/kg)",
+                crossed,
+                {{0, system.A[1][2] == 0 ? "" : "Only one half of A is filled."}}},
+               system.A[2][1]);
+  grade.number(
       {"A[0][2]: body 1 is body 2 of both rows (1/kg)",
        coupled(rows[0].j2, heavy, rows[2].j2),
-       {{0, is_diagonal || !is_right ? "" : "All pairs of rows count, not only those beside each other."}}});
-  report.number(system.A[0][3], {"A[0][3]: both stand on the ground (1/kg)",
-                                 0,
-                                 {{1, "The ground couples nothing: its inverse mass is 0."}}});
+       {{0, is_diagonal || !is_right ? "" : "All pairs of rows count, not only those beside each other."}}},
+      system.A[0][2]);
+  grade.number({"A[0][3]: both stand on the ground (1/kg)",
+                0,
+                {{1, "The ground couples nothing: its inverse mass is 0."}}},
+               system.A[0][3]);
 }
 
-static void grade_b(grading::Report& report, const System& system) {
+static void grade_b(cairn::Grade& grade, const System& system) {
   const double dt = 0.05, ground_rate = 0.5 * 2;  // row 0: v_y is 0, and the box turns with 2 rad/s
-  report.number(static_cast<double>(system.b.size()), {"entries of b", 4, {}});
+  grade.number({"entries of b", 4}, static_cast<double>(system.b.size()));
   if (system.b.size() != 4) return;
   const double last_rate = 0.5 + 0.5;  // of row 2: (1, 0, -0.5) · (0, -3, -1) and (-1, 0, 0.75) · (1, 0, 2)
-  report.number(system.b[0], {"b[0], with a bias of 0.3 m/s (m/s²)",
-                              (0.3 - ground_rate) / dt,
-                              {{0.3 - ground_rate, "The factor 1/Δt is missing: λ is a force."},
-                               {(0.3 - ground_rate) * dt, "Divide by Δt: λ is a force."},
-                               {(ground_rate - 0.3) / dt, "The sign: b = (ζ − J v)/Δt."},
-                               {-ground_rate / dt, "ζ is missing: b = (ζ − J v)/Δt."},
-                               {(-0.3 - ground_rate) / dt, "The sign of ζ: b = (ζ − J v)/Δt."},
-                               {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}});
-  report.number(system.b[2],
-                {"b[2], with a bias of −0.2 m/s (m/s²)",
-                 (-0.2 - last_rate) / dt,
-                 {{(0.3 - last_rate) / dt, "Each row has its own ζ."}, {0, "Each row has an entry of b."}}});
+  grade.number({"b[0], with a bias of 0.3 m/s (m/s²)",
+                (0.3 - ground_rate) / dt,
+                {{0.3 - ground_rate, "The factor 1/Δt is missing: λ is a force."},
+                 {(0.3 - ground_rate) * dt, "Divide by Δt: λ is a force."},
+                 {(ground_rate - 0.3) / dt, "The sign: b = (ζ − J v)/Δt."},
+                 {-ground_rate / dt, "ζ is missing: b = (ζ − J v)/Δt."},
+                 {(-0.3 - ground_rate) / dt, "The sign of ζ: b = (ζ − J v)/Δt."},
+                 {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}},
+               system.b[0]);
+  grade.number({"b[2], with a bias of −0.2 m/s (m/s²)",
+                (-0.2 - last_rate) / dt,
+                {{(0.3 - last_rate) / dt, "Each row has its own ζ."}, {0, "Each row has an entry of b."}}},
+               system.b[2]);
 }
 
-static void grade_04(grading::Report& report) {
+static void grade_04(cairn::Grade& grade) {
   const System system = build(four_rows(), four_bodies(), 0.05);
-  grade_A(report, system);
-  grade_b(report, system);
+  grade_A(grade, system);
+  grade_b(grade, system);
 }
 
 /// With those before it.
-static void stage_04(grading::Report& report) {
-  stage_03(report);
-  report.begin(4);
-  grade_04(report);
+static void stage_04(cairn::Grade& grade) {
+  stage_03(grade);
+  grade.begin(4);
+  grade_04(grade);
 }

@@ -53,17 +53,18 @@ struct LineTower {
   }
 };
 
-static void grade_tower(grading::Report& report) {
+static void grade_tower(cairn::Grade& grade) {
   const std::vector<double> masses = {2, 0.5, 1};
   std::vector<Body> bodies = falling_tower(masses, 0.5);
   std::vector<Row> rows = tower_rows(3);
   LineTower line(masses, 0.5);
   sweep(rows, bodies);
   line.sweep_by_hand();
-  report.number(rows[0].impulse, {"tower of 2, 0.5 and 1 kg, one sweep: impulse on the ground (N s)",
-                                  line.impulse[1],
-                                  {{0, "row.impulse has not changed: add the push to the rows of the list."},
-                                   {-line.impulse[1], "The sign: boxes that close in are pushed apart."}}});
+  grade.number({"tower of 2, 0.5 and 1 kg, one sweep: impulse on the ground (N s)",
+                line.impulse[1],
+                {{0, "row.impulse has not changed: add the push to the rows of the list."},
+                 {-line.impulse[1], "The sign: boxes that close in are pushed apart."}}},
+               rows[0].impulse);
   // What an impulse of 0 comes from shows in the velocities, and in a second sweep.
   std::vector<Body> later_bodies = bodies;
   std::vector<Row> later = rows;
@@ -78,88 +79,90 @@ static void grade_tower(grading::Report& report) {
     why_nothing = "The order: a sweep goes from the first row to the last.";
   if (bodies[1].velocity[1] < -0.5) why_nothing = "The sign: apply the push as it is.";
   if (!is_kept) why_nothing = "";
-  report.number(rows[1].impulse,
-                {"of the second row (N s)",
-                 line.impulse[2],
-                 {{0, why_nothing}, {2 * line.impulse[2], "Each push has been applied twice."}}});
-  report.number(
-      rows[2].impulse,
+  grade.number({"of the second row (N s)",
+                line.impulse[2],
+                {{0, why_nothing}, {2 * line.impulse[2], "Each push has been applied twice."}}},
+               rows[1].impulse);
+  grade.number(
       {"of the third row (N s)",
        line.impulse[3],
        {{0, !is_kept               ? ""
             : rows[1].impulse != 0 ? "The last row was not visited."
             : later[1].impulse == 0 || !has_moved || later_line.impulse[1] == later[0].impulse
                 ? why_nothing
-                : "No row has changed a velocity in time: apply each push at once, not after the sweep."}}});
-  report.number(
-      bodies[1].velocity[1],
+                : "No row has changed a velocity in time: apply each push at once, not after the sweep."}}},
+      rows[2].impulse);
+  grade.number(
       {"velocity of the lowest box (m/s)",
        line.v[1],
        {{0, rows[1].impulse == 0 ? "" : "The second row pushes the lowest box down again: both ends."},
-        {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}});
+        {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}},
+      bodies[1].velocity[1]);
   const double first = line.impulse[1];
   sweep(rows, bodies);
   line.sweep_by_hand();
-  report.number(
-      rows[0].impulse,
-      {"two sweeps: impulse on the ground (N s)",
-       line.impulse[1],
-       {{line.impulse[1] - first, "The second push has replaced the first: row.impulse is the sum."},
-        {first, rows[1].impulse == 0 ? "" : "The second sweep has not pushed."}}});
+  grade.number({"two sweeps: impulse on the ground (N s)",
+                line.impulse[1],
+                {{line.impulse[1] - first, "The second push has replaced the first: row.impulse is the sum."},
+                 {first, rows[1].impulse == 0 ? "" : "The second sweep has not pushed."}}},
+               rows[0].impulse);
 }
 
-static void grade_two_sweeps(grading::Report& report) {
+static void grade_two_sweeps(cairn::Grade& grade) {
   std::vector<Body> bodies = falling_tower({2}, 1);
   std::vector<Row> rows = {upright_row(0, 1)};
   rows[0].bias = 0.25;
   sweep(rows, bodies);
-  report.number(rows[0].impulse, {"2 kg that falls at 1 m/s and is to rise at 0.25 m/s: impulse (N s)",
-                                  2 * 1.25,
-                                  {{2, "Use the row's correction: it has the bias in it."}}});
+  grade.number({"2 kg that falls at 1 m/s and is to rise at 0.25 m/s: impulse (N s)",
+                2 * 1.25,
+                {{2, "Use the row's correction: it has the bias in it."}}},
+               rows[0].impulse);
   const bool stops = std::abs(bodies[1].velocity[1] - 0.25) < 1e-9;
   bodies[1].velocity[1] -= 0.5;
   sweep(rows, bodies);
-  report.number(bodies[1].velocity[1],
-                {"pushed down by 0.5 m/s, and swept again: velocity (m/s)",
-                 0.25,
-                 {{1.5, stops ? "Apply the push: the rest of the sum was applied before." : ""}}});
+  grade.number({"pushed down by 0.5 m/s, and swept again: velocity (m/s)",
+                0.25,
+                {{1.5, stops ? "Apply the push: the rest of the sum was applied before." : ""}}},
+               bodies[1].velocity[1]);
 }
 
-static void grade_one_row(grading::Report& report) {
+static void grade_one_row(cairn::Grade& grade) {
   std::vector<Body> bodies = falling_tower({2}, -1);
   std::vector<Row> rows = {upright_row(0, 1)};
   sweep(rows, bodies);
-  report.number(rows[0].impulse, {"2 kg that rises at 1 m/s from its contact: impulse (N s)",
-                                  0,
-                                  {{-2, "A contact cannot pull: clamp the push between the bounds."}}});
-  report.number(bodies[1].velocity[1],
-                {"its velocity (m/s)", 1, {{0, "Apply what the clamp has left, not the correction."}}});
+  grade.number({"2 kg that rises at 1 m/s from its contact: impulse (N s)",
+                0,
+                {{-2, "A contact cannot pull: clamp the push between the bounds."}}},
+               rows[0].impulse);
+  grade.number({"its velocity (m/s)", 1, {{0, "Apply what the clamp has left, not the correction."}}},
+               bodies[1].velocity[1]);
   bodies = falling_tower({2}, 1);
   rows[0] = upright_row(0, 1);
   rows[0].upper = 0.5;
   sweep(rows, bodies);
-  report.number(bodies[1].velocity[1],
-                {"2 kg that falls at 1 m/s, at most 0.5 N s: velocity (m/s)",
-                 -1 + 0.5 / 2,
-                 {{0, "The upper bound is not used: a row is only as strong as its bounds."}}});
+  grade.number({"2 kg that falls at 1 m/s, at most 0.5 N s: velocity (m/s)",
+                -1 + 0.5 / 2,
+                {{0, "The upper bound is not used: a row is only as strong as its bounds."}}},
+               bodies[1].velocity[1]);
   bodies = falling_tower({0.5}, -1);
   rows[0] = upright_row(0, 1);
   rows[0].lower = -rows[0].upper;
   sweep(rows, bodies);
-  report.number(rows[0].impulse, {"0.5 kg that rises on a rod, which may pull: impulse (N s)",
-                                  -0.5,
-                                  {{0, "Bounds belong to the row: clamp to row.lower, not to 0."}}});
+  grade.number({"0.5 kg that rises on a rod, which may pull: impulse (N s)",
+                -0.5,
+                {{0, "Bounds belong to the row: clamp to row.lower, not to 0."}}},
+               rows[0].impulse);
 }
 
-static void grade_06(grading::Report& report) {
-  grade_tower(report);
-  grade_two_sweeps(report);
-  grade_one_row(report);
+static void grade_06(cairn::Grade& grade) {
+  grade_tower(grade);
+  grade_two_sweeps(grade);
+  grade_one_row(grade);
 }
 
 /// With those before it.
-static void stage_06(grading::Report& report) {
-  stage_05(report);
-  report.begin(6);
-  grade_06(report);
+static void stage_06(cairn::Grade& grade) {
+  stage_05(grade);
+  grade.begin(6);
+  grade_06(grade);
 }

@@ -9,74 +9,79 @@ static Row keyed_row(std::array<int, 3> key, double impulse) {
   return row;
 }
 
-static void grade_keys(grading::Report& report) {
+static void grade_keys(cairn::Grade& grade) {
   const std::vector<Body> tower = falling_tower({2, 0.5}, 0);
   const std::vector<Row> rows = contacts(tower);
-  report.number(count_of(rows), {"two boxes on the ground: contacts", 4, {}});
+  grade.number({"two boxes on the ground: contacts", 4}, count_of(rows));
   if (rows.size() != 4) return;
-  report.number(rows[0].key == rows[1].key, {"keys of the left and the right point that are equal",
-                                             0,
-                                             {{1, "Two points of one pair need two keys."}}});
-  report.number(rows[0].key == rows[2].key,
-                {"keys of two pairs that are equal", 0, {{1, "Two pairs need two keys."}}});
+  grade.number({"keys of the left and the right point that are equal",
+                0,
+                {{1, "Two points of one pair need two keys."}}},
+               rows[0].key == rows[1].key);
+  grade.number({"keys of two pairs that are equal", 0, {{1, "Two pairs need two keys."}}},
+               rows[0].key == rows[2].key);
   std::vector<Body> lifted = tower;
   lifted[1].position[1] += 0.01;
   lifted[2].position[1] += 0.01;
   const std::vector<Row> fewer = contacts(lifted);
   if (fewer.size() != 2) return;
-  report.number(fewer[0].key == rows[2].key,
-                {"a row keeps its key when rows before it vanish (1: yes)",
-                 1,
-                 {{0, "A key names the bodies and the point, not the place among the rows."}}});
+  grade.number({"a row keeps its key when rows before it vanish (1: yes)",
+                1,
+                {{0, "A key names the bodies and the point, not the place among the rows."}}},
+               fewer[0].key == rows[2].key);
 }
 
 /// One box on two, and another beside them: pairs of which some share the lower body, some the upper one, and
 /// some the sum of both numbers.
-static void grade_pairs(grading::Report& report) {
+static void grade_pairs(cairn::Grade& grade) {
   std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, -1, 0.5),
                               make_box(1, 1, 2, 1, 0.5), make_box(3, 1, 2, 0, 1.5),
                               make_box(1, 1, 2, 4, 0.5)};
   const std::vector<Row> rows = contacts(bodies);
-  report.number(count_of(rows), {"a box on two boxes, and one beside them: contacts", 10, {}});
+  grade.number({"a box on two boxes, and one beside them: contacts", 10}, count_of(rows));
   double equal = 0;
   for (const Row& row : rows)
     for (const Row& other : rows)
       if (&row != &other && row.key == other.key) equal = 1;
-  report.number(equal, {"two of them with one key (1: yes)",
-                        0,
-                        {{1, "Both bodies are in the key, each in its place, and the point is."}}});
+  grade.number({"two of them with one key (1: yes)",
+                0,
+                {{1, "Both bodies are in the key, each in its place, and the point is."}}},
+               equal);
   if (rows.empty()) return;
   for (Body& body : bodies) body.position[0] += 0.003;
   const std::vector<Row> moved = contacts(bodies);
   if (moved.size() == rows.size())
-    report.number(moved[0].key == rows[0].key,
-                  {"a row keeps its key when all boxes move by 3 mm (1: yes)",
-                   1,
-                   {{0, "A key names the bodies and the point, not where they are."}}});
+    grade.number({"a row keeps its key when all boxes move by 3 mm (1: yes)",
+                  1,
+                  {{0, "A key names the bodies and the point, not where they are."}}},
+                 moved[0].key == rows[0].key);
 }
 
-static void grade_warm_start(grading::Report& report) {
+static void grade_warm_start(cairn::Grade& grade) {
   std::vector<Body> bodies = falling_tower({2}, 1);
   const std::vector<Row> last = {keyed_row({8, 8, 0}, 5), keyed_row({0, 1, 1}, 0.75),
                                  keyed_row({0, 1, 0}, 0.25)};
   std::vector<Row> rows = {keyed_row({0, 1, 0}, 0), keyed_row({0, 1, 1}, 0), keyed_row({0, 2, 0}, 0)};
   warm_start(rows, last, bodies);
-  report.number(rows[0].impulse, {"warm_start: impulse of a row that stood third in the last step (N s)",
-                                  0.25,
-                                  {{5, "A row finds its impulse by its key, not by its place."},
-                                   {0, "The rows of the list begin with last step's impulses."},
-                                   {0.25 * 0.02, "λΔt is kept: the step has the same Δt."}}});
-  report.number(rows[1].impulse,
-                {"of the second row (N s)", 0.75, {{0, "All rows begin with last step's impulses."}}});
-  report.number(rows[2].impulse, {"of a row that was not there (N s)",
-                                  0,
-                                  {{0.25, "A row that was not there begins with 0."},
-                                   {5, "A row that was not there begins with 0."}}});
-  report.number(bodies[1].velocity[1], {"2 kg that fell at 1 m/s: velocity after the guess (m/s)",
-                                        -0.5,
-                                        {{-1, "The guess has to act before the first sweep: apply it."},
-                                         {0, "The guess acts once."},
-                                         {-1.5, "The sign: apply the impulse as the row does."}}});
+  grade.number({"warm_start: impulse of a row that stood third in the last step (N s)",
+                0.25,
+                {{5, "A row finds its impulse by its key, not by its place."},
+                 {0, "The rows of the list begin with last step's impulses."},
+                 {0.25 * 0.02, "λΔt is kept: the step has the same Δt."}}},
+               rows[0].impulse);
+  grade.number({"of the second row (N s)", 0.75, {{0, "All rows begin with last step's impulses."}}},
+               rows[1].impulse);
+  grade.number(
+      {"of a row that was not there (N s)",
+       0,
+       {{0.25, "A row that was not there begins with 0."}, {5, "A row that was not there begins with 0."}}},
+      rows[2].impulse);
+  grade.number({"2 kg that fell at 1 m/s: velocity after the guess (m/s)",
+                -0.5,
+                {{-1, "The guess has to act before the first sweep: apply it."},
+                 {0, "The guess acts once."},
+                 {-1.5, "The sign: apply the impulse as the row does."}}},
+               bodies[1].velocity[1]);
 }
 
 /// Plain loops on a line: the loads [N] on the lowest box after each step, and with one of three mistakes.
@@ -122,7 +127,7 @@ static double load_on_the_lowest(const World& world) {
   return sum / world.dt;
 }
 
-static void grade_loads(grading::Report& report, const std::string& name, const std::vector<double>& masses,
+static void grade_loads(cairn::Grade& grade, const std::string& name, const std::vector<double>& masses,
                         const LineWorld& settings, const std::vector<int>& frames) {
   LineWorld cold = settings, silent = settings, late = settings, one_sweep = settings;
   cold.is_warm = silent.guess_acts = false;
@@ -137,59 +142,59 @@ static void grade_loads(grading::Report& report, const std::string& name, const 
   int frame = 0;
   for (const int wanted : frames) {
     for (; frame < wanted; ++frame) step(world);
-    report.number(load_on_the_lowest(world),
-                  {name + "load after frame " + std::to_string(wanted) + " (N)",
-                   load_at(settings, wanted),
-                   {{load_at(ten, wanted), "world.sweeps says how many sweeps there are."},
-                    {load_at(late, wanted), "Gravity comes before the sweeps, or they do not see it."},
-                    {load_at(one_sweep, wanted), "world.sweeps sweeps in each step, not one."},
-                    {load_at(cold, wanted),
-                     "Every step begins cold: world.rows has to keep the rows of the last step."},
-                    {load_at(silent, wanted), "The guess has to act before the first sweep: apply it."}}});
+    grade.number({name + "load after frame " + std::to_string(wanted) + " (N)",
+                  load_at(settings, wanted),
+                  {{load_at(ten, wanted), "world.sweeps says how many sweeps there are."},
+                   {load_at(late, wanted), "Gravity comes before the sweeps, or they do not see it."},
+                   {load_at(one_sweep, wanted), "world.sweeps sweeps in each step, not one."},
+                   {load_at(cold, wanted),
+                    "Every step begins cold: world.rows has to keep the rows of the last step."},
+                   {load_at(silent, wanted), "The guess has to act before the first sweep: apply it."}}},
+                 load_on_the_lowest(world));
   }
 }
 
-static void grade_landing_step(grading::Report& report) {
+static void grade_landing_step(cairn::Grade& grade) {
   World world;
   world.bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 0.5, 0, 1)};
   world.gravity = 8;
   world.dt = 0.04;
   world.sweeps = 4;
   step(world);
-  report.number(world.bodies[1].position[1],
-                {"0.5 kg in the air, one step: height (m)",
-                 1 - 8 * 0.04 * 0.04,
-                 {{1, "Positions move with the new velocities: first the velocity, then the position."},
-                  {1 - 10 * 0.04 * 0.04, "Use world.gravity."},
-                  {1 - 8 * 0.04 * 0.02, "Use world.dt, for velocities and for positions."},
-                  {1 - 8 * 0.02 * 0.02, "Use world.dt."}}});
+  grade.number({"0.5 kg in the air, one step: height (m)",
+                1 - 8 * 0.04 * 0.04,
+                {{1, "Positions move with the new velocities: first the velocity, then the position."},
+                 {1 - 10 * 0.04 * 0.04, "Use world.gravity."},
+                 {1 - 8 * 0.04 * 0.02, "Use world.dt, for velocities and for positions."},
+                 {1 - 8 * 0.02 * 0.02, "Use world.dt."}}},
+               world.bodies[1].position[1]);
   const bool moves = world.bodies[1].position[1] != 1;
   world.bodies[1] = make_box(1, 1, 0.5, 0, 0.45);
   world.bodies[1].inverse_mass[2] = 0;
   world.beta = 0.2;
   step(world);
-  report.number(world.bodies[1].position[1],
-                {"50 mm deep in the ground, β = 0.2: height after one step (m)",
-                 0.5 - 0.05 * 0.8,
-                 {{0.45, moves ? "The bias is missing: set it before the sweeps." : ""},
-                  {0.45 + 0.01 * 0.04 / 0.05, "Use world.dt, for the bias as well."},
-                  {0.45 + 0.01 * 0.04 / 0.02, "Use world.dt, for the bias as well."},
-                  {0.5 - 0.05 * 1.2, "The sign of the bias."}}});
+  grade.number({"50 mm deep in the ground, β = 0.2: height after one step (m)",
+                0.5 - 0.05 * 0.8,
+                {{0.45, moves ? "The bias is missing: set it before the sweeps." : ""},
+                 {0.45 + 0.01 * 0.04 / 0.05, "Use world.dt, for the bias as well."},
+                 {0.45 + 0.01 * 0.04 / 0.02, "Use world.dt, for the bias as well."},
+                 {0.5 - 0.05 * 1.2, "The sign of the bias."}}},
+               world.bodies[1].position[1]);
 }
 
-static void grade_09(grading::Report& report) {
-  grade_keys(report);
-  grade_pairs(report);
-  grade_warm_start(report);
-  grade_landing_step(report);
-  grade_loads(report, "2 and 0.5 kg, Δt = 0.05 s: ", {2, 0.5}, {.gravity = 8, .dt = 0.05, .sweeps = 2},
+static void grade_09(cairn::Grade& grade) {
+  grade_keys(grade);
+  grade_pairs(grade);
+  grade_warm_start(grade);
+  grade_landing_step(grade);
+  grade_loads(grade, "2 and 0.5 kg, Δt = 0.05 s: ", {2, 0.5}, {.gravity = 8, .dt = 0.05, .sweeps = 2},
               {1, 2, 4});
-  grade_loads(report, "ten boxes: ", std::vector<double>(10, 1.0), {}, {1, 2, 3, 5, 10});
+  grade_loads(grade, "ten boxes: ", std::vector<double>(10, 1.0), {}, {1, 2, 3, 5, 10});
 }
 
 /// With those before it.
-static void stage_09(grading::Report& report) {
-  stage_08(report);
-  report.begin(9);
-  grade_09(report);
+static void stage_09(cairn::Grade& grade) {
+  stage_08(grade);
+  grade.begin(9);
+  grade_09(grade);
 }

@@ -194,7 +194,7 @@ void IslandNewton::approach(const VelocityProblem<double>& problem) {
 void IslandNewton::go_on() {
   center_.go_on(rows_, [this](int i) { return map_.is_held(i); });
   note_center();
-  if (residual_ == best_.residual) return;
+  if (residual() == best_.residual) return;
   center_.go_to(rows_, best_.impulse);
   note_center();
 }
