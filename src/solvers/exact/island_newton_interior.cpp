@@ -13,6 +13,10 @@ constexpr int steps_of_one_attempt = 40;
 constexpr double first_distance = 10;  // from bounds, beside the mean of what is left of R_E
 constexpr double share_of_way = 0.99;  // to the next bound
 constexpr double least_share = 1e-3;   // below it, bounds are in the way
+// Whole steps that leave most of R_E, so many in a row, lead nowhere: what systems are softer by holds it.
+constexpr double whole_share = 0.98;
+constexpr double least_progress = 0.5;
+constexpr int most_idle = 3;
 
 }  // namespace
 
@@ -25,9 +29,12 @@ void IslandNewton::follow_interior() {
     const double distance = first_distance * factor * center_.error_of_a_row();
     if (!interior_.begin(rows_, center_, distance)) return;
     double share = 1;
+    int idle = 0;
     for (int step = 0; step < steps_of_one_attempt && share > least_share; ++step) {
-      if (best_.residual <= enough() || systems_ >= settings_.iterations) break;
+      if (best_.residual <= enough() || systems_ >= settings_.iterations || idle == most_idle) return;
+      const double before = residual();
       share = take_interior_step();
+      idle = share >= whole_share && residual() > least_progress * before ? idle + 1 : 0;
     }
     if (best_.residual <= enough()) return;
   }
