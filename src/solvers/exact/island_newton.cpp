@@ -15,8 +15,8 @@ namespace {
 // Softness, of rows with ones on the diagonal.
 constexpr double least_warm_softness = 1e-6;
 // Beside R_E: a row that is softer by epsilon answers what is left of its speed by an impulse of 1 / epsilon
-// times that, and where that is not small beside its own, it changes sides. Where nothing pushes yet, nothing
-// can.
+// times that, and where that is not small beside its own, it changes sides. Where nothing pushes yet, or no
+// row has a bound, none can.
 constexpr double warm_softness = 100;
 constexpr double kept_softness = 10;  // for which factors of before are used again
 constexpr double cold_softness = 1e-2;
@@ -145,7 +145,7 @@ double IslandNewton::residual() const {
 }
 
 double IslandNewton::first_softness() const {
-  const double left = center_.size() > 0 ? residual() : 0.0;
+  const double left = center_.size() > 0 && rows_.have_bounds() ? residual() : 0.0;
   const bool are_kept = factors_.are_for(rows_) && factors_.softness() > 0;
   if (are_kept && factors_.softness() >= kept_softness * left) return factors_.softness();
   return std::clamp(warm_softness * left, least_warm_softness, cold_softness);

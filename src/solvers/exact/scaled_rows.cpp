@@ -7,6 +7,7 @@ namespace cairn {
 
 template <Scalar Real>
 void ScaledRows<Real>::begin(const VelocityProblem<Real>& problem) {
+  have_bounds_ = false;
   late_.clear();
   root_.clear();
   for (const Vec3<Real>& mass : problem.inverse_mass) root_.push_back(mass.cwiseSqrt());
@@ -51,6 +52,7 @@ void ScaledRows<Real>::append(const VelocityProblem<Real>& problem, const Constr
   scaled.constant = unit * (jv - row.bias);
   scaled.unit = unit;
   scaled.bounds = row.bounds;
+  have_bounds_ = have_bounds_ || !row.bounds.is_equality();
   if (is_late(rows_.size() - 1)) late_.push_back(rows_.size() - 1);
   if (row.bounds.is_equality() || row.bounds.is_friction() || !(unit > 0)) return;
   scaled.bounds.lower /= unit;

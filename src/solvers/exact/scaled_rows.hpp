@@ -58,6 +58,8 @@ class ScaledRows {
   Real scale() const { return scale_; }
   /// 3 n.
   Eigen::Index freedoms() const { return 3 * root_.size(); }
+  /// Whether any of them has bounds.
+  bool have_bounds() const { return have_bounds_; }
   /// All rows of the problem, in its order.
   const PerRow<Row>& rows() const { return rows_; }
   /// What a row of G has.
@@ -95,6 +97,7 @@ class ScaledRows {
   }
 
   Real scale_ = 0;
+  bool have_bounds_ = false;
   List<Term> terms_;
   PerRow<Row> rows_;
   List<int> late_;            // rows that are limited by one behind them
