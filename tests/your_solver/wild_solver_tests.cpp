@@ -52,7 +52,7 @@ TEST_CASE("a solver that ignores SIGTERM and leaves a process behind is ended wi
                   "void note() { std::ofstream(\"left\") << getpid() << std::endl; }\n");
   CHECK(ended.code == 1);
   CHECK(ended.out.find("did not end within 10 s") != std::string::npos);
-  const std::string left = text_of(fs::path(CAIRN_BINARY_DIR) / "your_solver_test/wild/left");
+  const std::string left = text_of(fs::path(CAIRN_BINARY_DIR) / "reader_tests/wild/left");
   REQUIRE_FALSE(left.empty());
   CHECK(kill(std::stoi(left), 0) != 0);
 }
