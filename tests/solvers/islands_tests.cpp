@@ -29,6 +29,15 @@ VelocityProblem<double> stacks(int count) {
   return world.velocity_problem();
 }
 
+template <Scalar Real>
+List<IslandProblem<Real>> islands_of(const VelocityProblem<Real>& problem) {
+  Islands islands;
+  islands.find(problem);
+  List<IslandProblem<Real>> result(islands.count());
+  for (int i = 0; i < islands.count(); ++i) islands.copy(i, problem, result[i]);
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("stacks side by side are islands: the ground connects nothing") {
@@ -100,11 +109,7 @@ TEST_CASE_TEMPLATE("Newton's method gives an island the same bits whatever is be
   VelocityProblem<Real> whole = start;
   NewtonSolver<Real> solver({.iterations = 30});
   CHECK(solver.solve(whole).converged);
-  Islands islands;
-  islands.find(start);
-  for (int i = 0; i < islands.count(); ++i) {
-    IslandProblem<Real> island;
-    islands.copy(i, start, island);
+  for (IslandProblem<Real>& island : islands_of(start)) {
     IslandNewton alone({.iterations = 30}, std::numeric_limits<Real>::epsilon());
     alone.solve(island.problem);
     for (int row = 0; row < island.rows.size(); ++row)
@@ -124,13 +129,10 @@ TEST_CASE("an island keeps its answer while others change and go") {
   pushed.impulse = first.impulse;
   pushed.velocity.back().y() -= 1;
   CHECK(solver.solve(pushed).converged);
-  Islands islands;
-  islands.find(start);
-  for (int i = 0; i < islands.count(); ++i) {
-    IslandProblem<double> island;
-    islands.copy(i, start, island);
+  const List<IslandProblem<double>> islands = islands_of(start);
+  for (int i = 0; i < islands.size(); ++i) {
     bool is_same = true;
-    for (const int row : island.rows)
+    for (const int row : islands[i].rows)
       is_same = is_same && pushed.impulse[row] == doctest::Approx(first.impulse[row]).epsilon(4e-16);
     CHECK(is_same == (i < 3));
   }

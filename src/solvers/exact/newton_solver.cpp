@@ -52,29 +52,30 @@ SolveReport NewtonSolver<Real>::solve_part(Part& part, VelocityProblem<Real>& pr
   return report;
 }
 
-/// Islands of before keep their solvers.
+/// Islands of before keep their solvers. Whatever throws on the way, each part has one.
 template <Scalar Real>
 void NewtonSolver<Real>::split(const VelocityProblem<Real>& problem) {
   islands_.find(problem);
-  next_.clear();
-  auto old = parts_.begin();
+  parts_.swap(before_);
+  parts_.clear();
+  auto old = before_.begin();
   for (int i = 0; i < islands_.count(); ++i) {
     const BodyId lowest = islands_.lowest_body(i);
-    while (old != parts_.end() && old->lowest < lowest) ++old;
-    if (old != parts_.end() && old->lowest == lowest) {
-      next_.push_back(std::move(*old++));
+    while (old != before_.end() && old->lowest < lowest) ++old;
+    if (old != before_.end() && old->lowest == lowest) {
+      parts_.push_back(std::move(*old++));
     } else {
       constexpr double epsilon = std::numeric_limits<Real>::epsilon();
-      next_.push_back({lowest, {}, std::make_unique<IslandNewton>(settings_, epsilon)});
+      parts_.push_back({lowest, {}, std::make_unique<IslandNewton>(settings_, epsilon)});
     }
-    IslandProblem<Real>& island = next_.back().island;
+    IslandProblem<Real>& island = parts_.back().island;
     if (std::is_same_v<Real, double> && islands_.are_one()) {
       island.rows.clear();
     } else {
       islands_.copy(i, problem, island);
     }
   }
-  parts_.swap(next_);
+  before_.clear();
 }
 
 template <Scalar Real>

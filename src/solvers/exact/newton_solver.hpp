@@ -54,8 +54,8 @@ class NewtonSolver final : public Solver<Real> {
 
   SolverSettings settings_;
   Islands islands_;
-  List<Part> parts_;  // by their lowest bodies
-  List<Part> next_;
+  List<Part> parts_;          // by their lowest bodies
+  List<Part> before_;         // while they are made; else none
   std::uint64_t solved_ = 0;  // the number of the problem that parts_ are of
 };
 
