@@ -10,8 +10,8 @@
 namespace cairn {
 
 /// Solves all rows of an island at once, by Newton's method on sparse factors (island_newton.hpp), and each
-/// island by itself. So what rests keeps its factors and its answer, however much moves beside it, what is
-/// tiny is as exact as what is huge, and an island that is hard to solve makes no other one wait.
+/// island by itself. So what rests keeps its factors and its answer, however much moves beside it; what is
+/// tiny is as exact as what is huge; and an island that takes many systems costs the others none.
 ///
 /// Masses do not matter, nor does how far a load has to travel: what takes Gauss-Seidel 10^5 sweeps takes it
 /// the same few systems. For fixed bounds that rows can keep, it converges; with friction nothing is
