@@ -2,6 +2,7 @@
 #include "world/collider.hpp"
 
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "geometry/aabb.hpp"
@@ -30,14 +31,16 @@ void set_around(Collider<Real>& collider, const Neighbours<double>& around) {
 template <Scalar Real>
 class ColliderMaker {
  public:
-  void add(BodyId body, const Shape<Real>& shape) {
-    colliders.push_back({.body = body, .form = shared(shape)});
+  void add(BodyId body, const Shape<double>& shape) {
+    auto& form = known_sources_[&shape];  // bodies that are alike share their shapes
+    if (!form) form = shared(shape_cast<Real>(shape));
+    colliders.push_back({.body = body, .form = form});
   }
   void add_links(BodyId body, const Chain<double>& chain) {
     const Shape<Real> cast = shape_cast<Real>(chain);
     const Chain<Real>& points = std::get<Chain<Real>>(cast);
     for (int i = 0; i < points.link_count(); ++i) {
-      add(body, Segment<Real>{points.point(i), points.point(i + 1)});
+      colliders.push_back({.body = body, .form = shared(Segment<Real>{points.point(i), points.point(i + 1)})});
       set_around(colliders.back(), link_neighbours(chain, i));
     }
   }
@@ -58,6 +61,7 @@ class ColliderMaker {
   }
 
   std::multimap<Real, std::shared_ptr<const Form>> known_;  // by the radius around them
+  std::unordered_map<const Shape<double>*, std::shared_ptr<const Form>> known_sources_;
 };
 
 /// Numbers for bodies that nothing pushes: static ones that collide with the same bodies have the same one.
@@ -111,7 +115,7 @@ List<Collider<Real>> make_colliders(const Scene& scene) {
       if (const auto* chain = std::get_if<Chain<double>>(&shape)) {
         maker.add_links(id, *chain);
       } else {
-        maker.add(id, shape_cast<Real>(shape));
+        maker.add(id, shape);
       }
     }
   }

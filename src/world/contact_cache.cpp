@@ -89,6 +89,7 @@ void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> 
                                     const Substep<Real>& step) {
   List<CachedContact<Real>> contacts;
   List<CachedManifold<Real>> manifolds;
+  contacts.reserve(before.graph_.order().size());
   for (const NearPair& near : before.graph_.order()) {
     if (near.contact == NearPair::none) continue;
     const CachedContact<Real>& old = before.graph_[near.contact];

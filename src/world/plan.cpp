@@ -54,8 +54,10 @@ SecondSolve second_solve(StabilizationPolicy policy, bool has_rows) {
 }  // namespace
 
 Plan make_plan(const Scene& scene) {
-  Plan plan{.settings = full_settings(scene), .length = unit_length(scene)};
-  plan.lengths = lengths_text(scene);
+  const double length = unit_length(scene);
+  Plan plan{.settings = full_settings(scene.settings(), length),
+            .length = length,
+            .lengths = lengths_text(scene.settings(), length)};
   std::set<std::string> kinds;
   int rubbing_bodies = 0;
   for (const SceneBody& body : scene.bodies()) {

@@ -157,7 +157,12 @@ Scene::Scene(const SceneSettings& settings)
 /// To be changed: no other scene sees it.
 PerBody<SceneBody>& Scene::own_bodies() {
   std::shared_ptr<PerBody<SceneBody>> seen = bodies_;
-  if (seen.use_count() > 2) bodies_ = std::make_shared<PerBody<SceneBody>>(*seen);
+  if (seen.use_count() > 2) {
+    const auto own = std::make_shared<PerBody<SceneBody>>();
+    own->reserve(seen->size() + 1);  // for the one that add() puts behind them
+    for (const SceneBody& body : *seen) own->push_back(body);
+    bodies_ = own;
+  }
   seen.reset();  // whoever lets go of a copy comes after those who did before, and what they read
   return *bodies_;
 }

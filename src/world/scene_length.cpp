@@ -47,9 +47,9 @@ double unit_length(const Scene& scene) {
   return std::max(scene_length(scene), falls_in_steps * settings.gravity.norm() * (substep * substep));
 }
 
-SceneSettings full_settings(const Scene& scene) {
-  SceneSettings settings = scene.settings();
-  const double length = unit_length(scene), gravity = settings.gravity.norm();
+SceneSettings full_settings(const SceneSettings& given, double length) {
+  SceneSettings settings = given;
+  const double gravity = settings.gravity.norm();
   const double falls =
       std::sqrt(gravity * length / usual_gravity);  // speeds of falls are so many times as fast
   const auto fill = [](std::optional<double>& number, double value) { number = number.value_or(value); };
@@ -60,11 +60,15 @@ SceneSettings full_settings(const Scene& scene) {
   return settings;
 }
 
-std::string lengths_text(const Scene& scene) {
-  const SceneSettings &given = scene.settings(), full = full_settings(scene);
+SceneSettings full_settings(const Scene& scene) {
+  return full_settings(scene.settings(), unit_length(scene));
+}
+
+std::string lengths_text(const SceneSettings& given, double length) {
+  const SceneSettings full = full_settings(given, length);
   const Stabilization &said = given.stabilization, &used = full.stabilization;
   return fmt::format("L is {:.3g} m: margin {}, slop {}, overlap goes by {} at most, rebound from {} on",
-                     unit_length(scene), number_text(given.speculative_margin, *full.speculative_margin, "m"),
+                     length, number_text(given.speculative_margin, *full.speculative_margin, "m"),
                      number_text(said.slop, *used.slop, "m"),
                      number_text(said.max_speed, *used.max_speed, "m/s"),
                      number_text(given.restitution_threshold, *full.restitution_threshold, "m/s"));

@@ -17,15 +17,17 @@ double scene_length(const Scene& scene);
 /// than that can be asked of them.
 double unit_length(const Scene& scene);
 
-/// The settings of the scene, in which what was left out follows from its unit of length L and its gravity,
+/// The settings of a scene, in which what was left out follows from its unit of length L [m] and its gravity,
 /// so that scenes of all sizes behave alike. With L = 1 m and 10 m/s^2 it is as each member says.
 ///   speculative_margin       L / 50
 ///   stabilization.slop       L / 200
 ///   stabilization.max_speed  the speed of a fall through 0.8 L; without gravity 4 L a second
 ///   restitution_threshold    the speed of a fall through L / 80; without gravity 0
+SceneSettings full_settings(const SceneSettings& given, double length);
+/// Those of a scene.
 SceneSettings full_settings(const Scene& scene);
 
 /// Lengths and speeds of full_settings() in words, those that the scene states marked as such.
-std::string lengths_text(const Scene& scene);
+std::string lengths_text(const SceneSettings& given, double length);
 
 }  // namespace cairn

@@ -25,7 +25,7 @@ List<int> numbers_now(const Scene& before, const Scene& now) {
   for (const BodyId id : before.bodies().indices()) {
     const List<Shape<double>>&old = before.bodies()[id].spec.shapes, &shapes = now.bodies()[id].spec.shapes;
     for (int i = 0; i < old.size(); ++i) {
-      const bool is_same = i < shapes.size() && shapes[i] == old[i];
+      const bool is_same = &shapes == &old || (i < shapes.size() && shapes[i] == old[i]);
       for (int piece = 0; piece < piece_count(old[i]); ++piece) numbers.push_back(is_same ? next++ : -1);
       if (!is_same && i < shapes.size()) next += piece_count(shapes[i]);
     }

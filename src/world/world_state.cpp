@@ -24,24 +24,24 @@ double extent(const Shape<double>& shape) {
 
 template <Scalar Real>
 void require_number(double value, BodyId id, const char* field) {
-  require(std::isfinite(static_cast<Real>(value)), "World", field + (" of body " + std::to_string(id.index)),
-          "a number of its scalar type", value);
+  if (std::isfinite(static_cast<Real>(value))) return;
+  require(false, "World", field + (" of body " + std::to_string(id.index)), "a number of its scalar type",
+          value);
 }
 
-/// A body no longer than the distance of neighbouring numbers cannot touch anything in earnest.
+/// A body no longer than the distance of neighbouring numbers cannot touch anything in earnest. `smallest` is
+/// the extent of its smallest shape [m].
 template <Scalar Real>
-void require_place(const SceneBody& body, BodyId id) {
+void require_place(const SceneBody& body, BodyId id, double smallest) {
   for (int axis = 0; axis < 2; ++axis) {
     const double place = body.pose.position[axis];
     require_number<Real>(place, id, "position");
     require_number<Real>(body.spec.velocity[axis], id, "velocity");
     const Real at = static_cast<Real>(std::abs(place));
     const double step = static_cast<double>(std::nextafter(at, std::numeric_limits<Real>::infinity()) - at);
-    for (const Shape<double>& shape : body.spec.shapes) {
-      require(step < extent(shape), "World", "position of body " + std::to_string(id.index),
-              "nearer to the origin in this scalar type, for a shape of " + shortest(extent(shape)) + " m",
-              place);
-    }
+    if (step < smallest) continue;
+    require(false, "World", "position of body " + std::to_string(id.index),
+            "nearer to the origin in this scalar type, for a shape of " + shortest(smallest) + " m", place);
   }
   require_number<Real>(body.pose.angle, id, "angle");
   require_number<Real>(body.spec.angular_velocity, id, "angular_velocity");
@@ -55,14 +55,14 @@ double smallest_extent(const BodySpec& spec) {
 }
 
 /// Springs that give way to a weight by half the length of a body let it through.
-void require_springs_hold(const SceneSettings& settings, const SceneBody& body, BodyId id) {
+void require_springs_hold(const SceneSettings& settings, const SceneBody& body, BodyId id, double smallest) {
   const Stabilization& stabilization = settings.stabilization;
   const bool on_springs = stabilization.policy == StabilizationPolicy::soft;
   if (!on_springs || body.spec.type != BodyType::dynamic) return;
   const double weight = std::abs(body.spec.gravity_scale) * settings.gravity.norm();  // [N/kg]
   const double sag = spring_sag(stabilization.soft, settings.dt / settings.substeps, weight);
-  const double smallest = smallest_extent(body.spec);
-  require(sag < smallest / 2, "World", "stabilization.soft",
+  if (sag < smallest / 2) return;
+  require(false, "World", "stabilization.soft",
           "stiffer, or substeps shorter, for body " + std::to_string(id.index) + " of " + shortest(smallest) +
               " m, into which springs may give way by less than half",
           shortest(sag) + " m");
@@ -76,8 +76,7 @@ BodyForces<Real> forces_on(const BodySpec& spec) {
 }
 
 template <Scalar Real>
-BodyTraits<Real> traits_of(const BodySpec& spec, Real radius) {
-  const double smallest = smallest_extent(spec);
+BodyTraits<Real> traits_of(const BodySpec& spec, double smallest, Real radius) {
   return {.slop_limit = static_cast<Real>(slop_share * smallest),
           .failed_error = static_cast<Real>(failed_share * smallest),
           .friction_root = std::sqrt(spec.friction),
@@ -101,8 +100,9 @@ World<Real>::World(Scene scene)
   for (const BodyId id : scene_->bodies().indices()) {
     const SceneBody& body = scene_->bodies()[id];
     const BodySpec& spec = body.spec;
-    require_place<Real>(body, id);
-    if (plan_->collision) require_springs_hold(scene_->settings(), body, id);
+    const double smallest = smallest_extent(spec);
+    require_place<Real>(body, id, smallest);
+    if (plan_->collision) require_springs_hold(scene_->settings(), body, id, smallest);
     state_.pose.push_back(
         {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
     state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),
@@ -110,7 +110,7 @@ World<Real>::World(Scene scene)
     const Real inverse_mass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
     const Real inverse_inertia = body.inertia > 0 ? static_cast<Real>(1 / body.inertia) : Real(0);
     state_.inverse_mass.push_back({inverse_mass, inverse_mass, inverse_inertia});
-    kinds->add(forces_on<Real>(spec), traits_of(spec, radius[id]));
+    kinds->add(forces_on<Real>(spec), traits_of(spec, smallest, radius[id]));
   }
   kinds_ = kinds;
   joints_ = JointWriter<Real>(scene_->joints().size(), std::move(radius));
