@@ -8,7 +8,7 @@ cairn_build_web() {
   export NODE_PATH="${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs:/usr/lib/nodejs"
   mkdir -p "$build"
   if [[ ! -f $build/build.ninja ]]; then
-    if ! emcmake cmake -S "$cairn_root/lessons/playground" -B "$build" -G Ninja >"$build/configure.log" 2>&1; then
+    if ! (cd "$cairn_root" && cmake --preset web) >"$build/configure.log" 2>&1; then
       cat "$build/configure.log" >&2
       return 1
     fi
@@ -26,5 +26,5 @@ cairn_build_web() {
 cairn_make_playground() {
   cairn_build_web cairn_playground || return
   mkdir -p "$(dirname "$1")" || return
-  node "$cairn_root/lessons/playground/page/bundle.mjs" "$cairn_root/build/web" "$cairn_root/lessons/scenes" "$1"
+  node "$cairn_root/lessons/playground/page/bundle.mjs" "$cairn_root/build/web/bin" "$cairn_root/lessons/scenes" "$1"
 }

@@ -1,0 +1,20 @@
+# The fonts of pictures, cut down to the characters that these use: Latin, Greek, and signs of mathematics.
+find_program(PYFTSUBSET pyftsubset REQUIRED)
+set(characters U+20-7E,U+A0-FF,U+391-3C9,U+2010-2027,U+202F,U+2032,U+2070-209C,U+2190-2193,U+2202-2265,U+25A0-25CF)
+set(fonts_text "")
+foreach(font regular=DejaVuSans bold=DejaVuSans-Bold mono=DejaVuSansMono mono_bold=DejaVuSansMono-Bold)
+  string(REPLACE "=" ";" font ${font})
+  list(GET font 0 name)
+  list(GET font 1 file)
+  set(cut ${CMAKE_CURRENT_BINARY_DIR}/${file}.ttf)
+  if(NOT EXISTS ${cut})
+    execute_process(COMMAND ${PYFTSUBSET} ${CAIRN_FONT_DIR}/${file}.ttf --unicodes=${characters} --output-file=${cut}
+                            --layout-features= --no-hinting --drop-tables+=GPOS,GSUB,GDEF,kern,FFTM,name,post
+                    COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  file(READ ${cut} bytes HEX)
+  string(REGEX REPLACE "(..)" "0x\\1," bytes ${bytes})
+  string(APPEND fonts_text "extern const unsigned char cairn_font_${name}[] = {${bytes}};\n")
+endforeach()
+set(CAIRN_FONT_SOURCE ${CMAKE_CURRENT_BINARY_DIR}/fonts.cpp)
+file(CONFIGURE OUTPUT ${CAIRN_FONT_SOURCE} CONTENT "extern \"C\" {\n${fonts_text}}\n")
