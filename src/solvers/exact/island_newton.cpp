@@ -20,6 +20,7 @@ constexpr double least_warm_softness = 1e-6;
 constexpr double warm_softness = 100;
 constexpr double kept_softness = 10;  // for which factors of before are used again
 constexpr double cold_softness = 1e-2;
+constexpr double most_caution = 1e4;
 constexpr double softest = 10;
 constexpr double stiffest = 1e-9;  // below it, factors in double have few digits left
 constexpr double softness_step = 10;
@@ -147,8 +148,9 @@ double IslandNewton::residual() const {
 double IslandNewton::first_softness() const {
   const double left = center_.size() > 0 && rows_.have_bounds() ? residual() : 0.0;
   const bool are_kept = factors_.are_for(rows_) && factors_.softness() > 0;
-  if (are_kept && factors_.softness() >= kept_softness * left) return factors_.softness();
-  return std::clamp(warm_softness * left, least_warm_softness, cold_softness);
+  if (are_kept && factors_.softness() >= caution_ * kept_softness * left) return factors_.softness();
+  const double least = std::min(caution_ * least_warm_softness, cold_softness);
+  return std::clamp(caution_ * warm_softness * left, least, cold_softness);
 }
 
 void IslandNewton::approach(const VelocityProblem<double>& problem) {
@@ -160,8 +162,12 @@ void IslandNewton::approach(const VelocityProblem<double>& problem) {
     const bool is_solved = solve_softened(failures == 0 ? 1 : settings_.iterations);
     center_.go_to(rows_, map_.x(), map_.response());
     note_center();
+    // Too stiff, or softer than need be: the next solve heeds it.
+    if (failures == 0 && !is_solved && softness < cold_softness)
+      caution_ = std::min(softness_step * caution_, most_caution);
     if (is_solved) {
       if (best_.residual <= good_progress * before) continue;
+      caution_ = std::max(caution_ / softness_step, 1.0);
       go_on();
       if (best_.residual <= good_progress * before) continue;
       const bool stands_still = !(best_.residual <= least_progress * before);

@@ -15,10 +15,11 @@ namespace cairn {
 /// impulses of the moment, each such problem by Newton's method, one sparse linear system after the other. It
 /// differs from newton() in four things. It begins from the warm start, the softer the farther that is from
 /// the answer (as regularized Newton methods do: D.-H. Li, M. Fukushima, L. Qi, N. Yamashita, Regularized
-/// Newton methods for convex minimization problems with singular solutions, 2004), so that what changes
-/// little needs one system at most. Where one is not the answer, rows change sides, and it goes through the
-/// interior of all bounds (interior_rows.hpp), where they are of that kind: after an impact, or where
-/// friction slides at many points, steps of Newton's method stop at each kink. That way ends far inside the
+/// Newton methods for convex minimization problems with singular solutions, 2004), and softer yet where the
+/// last such start was too stiff (K. Levenberg, 1944; D. W. Marquardt, 1963), so that what changes little
+/// needs one system at most. Where one is not the answer, rows change sides, and it goes through the interior
+/// of all bounds (interior_rows.hpp), where they are of that kind: after an impact, or where friction slides
+/// at many points, steps of Newton's method stop at each kink. That way ends far inside the
 /// bounds of all rows that need not be at theirs, so that what is left over moves no row across in the steps
 /// that follow. Only where it fails do sweeps of accelerated PGS lead on. It keeps its factors in blocks
 /// (block_factors.hpp) from solve to solve: an old system gives a step for a tenth of what a new one costs,
@@ -95,6 +96,7 @@ class IslandNewton {
   PerRow<double> inside_;          // [N s] impulses on the way through the interior
   VelocityProblem<double> swept_;  // a copy for sweeps
   Best best_;
+  double caution_ = 1;        // how many times softer than by R_E the next start is
   std::uint64_t solved_ = 0;  // the number of the problem whose rows it has
   int systems_ = 0;           // solved by factors of their own
   int sweeps_ = 0;            // done between them, or what takes as long
