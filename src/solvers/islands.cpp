@@ -14,6 +14,14 @@ bool can_move(const VelocityProblem<Real>& problem, BodyId body) {
   return !problem.inverse_mass[body].isZero(0);
 }
 
+/// Whether row `i` is between the bodies of the row before it, as most rows are.
+template <Scalar Real>
+bool is_like_the_last(const VelocityProblem<Real>& problem, int i) {
+  if (i == 0) return false;
+  const ConstraintRow<Real>&last = problem.rows[i - 1], &row = problem.rows[i];
+  return row.a == last.a && row.b == last.b && row.extra_count == 0 && last.extra_count == 0;
+}
+
 }  // namespace
 
 /// That of its bodies that can be moved; below 0: there are none.
@@ -29,9 +37,10 @@ BodyId Islands::lowest_of_row(const Problem& problem, int row) {
 template <Scalar Real>
 void Islands::find(const VelocityProblem<Real>& problem) {
   connected_.begin(problem.body_count());
-  for (const ConstraintRow<Real>& row : problem.rows) {
+  for (const int i : problem.rows.indices()) {
+    if (is_like_the_last(problem, i)) continue;
     BodyId first = {-1};
-    for_each_term(problem, row, [&](BodyId body, const auto&) {
+    for_each_term(problem, problem.rows[i], [&](BodyId body, const auto&) {
       if (!can_move(problem, body)) return;
       if (first.index < 0) first = body;
       connected_.connect(first, body);
@@ -48,9 +57,10 @@ void Islands::find(const VelocityProblem<Real>& problem) {
 template <typename Problem>
 void Islands::sort_rows(const Problem& problem) {
   next_.assign(problem.body_count(), 0);
+  of_row_.clear();
   for (int i = 0; i < problem.row_count(); ++i) {
-    const BodyId lowest = lowest_of_row(problem, i);
-    if (lowest.index >= 0) ++next_[lowest];
+    of_row_.push_back(is_like_the_last(problem, i) ? of_row_.back() : lowest_of_row(problem, i));
+    if (of_row_.back().index >= 0) ++next_[of_row_.back()];
   }
   lowest_.clear();
   first_.clear();
@@ -65,8 +75,7 @@ void Islands::sort_rows(const Problem& problem) {
   }
   rows_.resize(rows);
   for (int i = 0; i < problem.row_count(); ++i) {
-    const BodyId lowest = lowest_of_row(problem, i);
-    if (lowest.index >= 0) rows_[next_[lowest]++] = i;
+    if (of_row_[i].index >= 0) rows_[next_[of_row_[i]]++] = i;
   }
 }
 

@@ -50,6 +50,7 @@ class Islands {
 
   ConnectedBodies connected_;
   PerBody<int> number_;  // of each body in the island that is copied; below 0: none
+  List<BodyId> of_row_;  // of each row, the lowest of its island; below 0: nothing that it pushes can move
   PerBody<int> next_;    // of each lowest body, the place of its next row
   List<BodyId> lowest_;  // of each island
   List<int> first_;      // of each island, in rows_
