@@ -63,6 +63,11 @@ class IslandNewton {
     double residual = 0;
   };
 
+  struct Work {
+    int systems = 0;  // solved by factors of their own
+    int sweeps = 0;   // done between them, or what takes as long
+  };
+
   void answer(const VelocityProblem<double>& problem, bool again);
   void give_answer(VelocityProblem<double>& problem);
   void approach(const VelocityProblem<double>& problem);
@@ -98,8 +103,7 @@ class IslandNewton {
   Best best_;
   double caution_ = 1;        // how many times softer than by R_E the next start is
   std::uint64_t solved_ = 0;  // the number of the problem whose rows it has
-  int systems_ = 0;           // solved by factors of their own
-  int sweeps_ = 0;            // done between them, or what takes as long
+  Work done_;                 // in this solve
 };
 
 }  // namespace cairn
