@@ -16,10 +16,9 @@ using cairn::List;
 // The rooms of src and their floors. A room may include itself and every room on a lower floor; collision may
 // also name the bodies of dynamics, which stands beside it. The core, which is installed, ends with measure.
 const std::map<std::string, int> floor_of_room = {
-    {"math", 0},        {"geometry", 1}, {"dynamics", 2}, {"collision", 2},
-    {"constraints", 3}, {"solvers", 4},  {"world", 5},    {"measure", 6},
-    {"reference", 7},   {"device", 7},   {"scenes", 8},   {"frozen", 9},
-    {"validation", 8},  {"study", 10},   {"tuning", 11},  {"extremes", 12},
+    {"math", 0},    {"geometry", 1},   {"dynamics", 2}, {"collision", 2}, {"constraints", 3},
+    {"solvers", 4}, {"world", 5},      {"measure", 6},  {"reference", 7}, {"device", 7},
+    {"scenes", 8},  {"validation", 8}, {"study", 9},
 };
 const int last_floor_of_the_core = 6;
 
@@ -51,11 +50,20 @@ std::string including_within_solvers(const std::string& file, const std::string&
                                               : "what solvers share must not know those in solvers/" + to;
 }
 
+// Folders of the study: frozen problems know nothing of runs, and runs nothing of those who compare them.
+std::string including_within_study(const std::string& file, const std::string& target) {
+  const std::map<std::string, int> order = {{"frozen", 0}, {"", 1}, {"tuning", 2}, {"extremes", 3}};
+  const std::string from = first_folder(without_first_folder(without_first_folder(file)));
+  const std::string to = first_folder(without_first_folder(target));
+  return order.at(to) <= order.at(from) ? "" : "study/" + from + " must not look up at study/" + to;
+}
+
 std::string including_from_a_room(const std::string& file, const std::string& target) {
   const std::string room = room_of(file), other = first_folder(target);
   const auto from = floor_of_room.find(room), to = floor_of_room.find(other);
   if (from == floor_of_room.end()) return room + " is no room of src";
   if (to == floor_of_room.end()) return "there is no room " + other + " on the floors of src";
+  if (room == other && room == "study") return including_within_study(file, target);
   if (room == other) return room == "solvers" ? including_within_solvers(file, target) : "";
   const std::set<std::string> of_a_step = {"constraints/row.hpp", "constraints/row_rule.hpp",
                                            "constraints/converted.hpp", "constraints/contact.hpp",
@@ -105,7 +113,7 @@ std::string objection_to_library(const std::string& file, const std::string& tar
     return begins_with(file, "src/scenes/") ? "" : "toml++ is included in src/scenes only";
   }
   const auto floor = floor_of_room.find(room_of(file));
-  const bool is_a_study = floor != floor_of_room.end() && floor->second >= floor_of_room.at("frozen");
+  const bool is_a_study = floor != floor_of_room.end() && floor->second == floor_of_room.at("study");
   if (library == "nlohmann" && is_a_study) return "";
   if (room_of(file) == "device" && library == "CL") return "";
   const bool is_of_the_core = library.empty() || library == "Eigen" || library == "fmt";
@@ -231,6 +239,8 @@ TEST_CASE("each rule of the floors allows what it should and refuses what it sho
   CHECK_FALSE(objection("src/solvers/iterative/a.hpp", "solvers/exact/b.hpp").empty());
   CHECK_FALSE(objection("src/solvers/a.hpp", "solvers/iterative/b.hpp").empty());
   CHECK(objection("src/study/a.hpp", "scenes/scene_file.hpp").empty());
+  CHECK(objection("src/study/tuning/a.hpp", "study/trial.hpp").empty());
+  CHECK_FALSE(objection("src/study/a.hpp", "study/extremes/extreme.hpp").empty());
   CHECK_FALSE(objection("src/scenes/a.hpp", "study/trial.hpp").empty());
   CHECK_FALSE(objection("src/measure/a.hpp", "reference/box2d_world.hpp").empty());
   CHECK_FALSE(objection("src/cairn.hpp", "reference/box2d_world.hpp").empty());

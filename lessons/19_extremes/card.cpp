@@ -18,7 +18,7 @@ LessonInfo card() {
                     "      L √(1 + φ²)                            a rod after a step in which it turns by φ",
                     "(14)  A λ = b                                two rows that contradict: no λ at all"},
       .needs = {"lesson 03", "lesson 05", "lesson 06"},
-      .reads = {"src/extremes/extreme.hpp", "src/world/world.cpp", "src/solvers/stopping.hpp"},
+      .reads = {"src/study/extremes/extreme.hpp", "src/world/world.cpp", "src/solvers/stopping.hpp"},
       .question =
           "A box of 1\u00a0kg carries one of 100\u00a0kg. How many sweeps until the load on the ground is "
           "right to 1\u00a0%? And with the light box above?",

@@ -1,15 +1,13 @@
 // The map of settings: panels, cells, legend.
-#include "lessons/sandbox/map_chart.hpp"
+#include "lessons/sandbox/charts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/sandbox/trade_chart.hpp"
 #include "render/lint.hpp"
 #include "render/text_layout.hpp"
-#include "tuning/map_study.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -18,11 +16,10 @@ using render::Align;
 using render::Rect;
 using render::TextStyle;
 
-const List<std::string> map_solvers = {"si", "accelerated", "block", "newton", "jacobi-split"};
 const List<double> map_goals = {0.03, 0.01, 0.003, 0.001, 0.0001};  // [m], from below
 const std::string stepped_scene = "length 10";                      // whose frequencies have a panel
 
-constexpr double map_gap = 10, panel_edge = 12, map_panel_height = 300, cell_type = 12, axis_type = 13;
+constexpr double map_gap = 10, panel_edge = 12, map_panel_height = 300, cell_type = 12;
 constexpr int map_head = 58, map_foot = 84;  // [px] above the panels and below
 
 /// A column of a panel: a number, and the runs among which the cheapest is looked for.
@@ -59,10 +56,6 @@ List<MapPanel> map_panels(const MapTable& table) {
       panels.back().columns.push_back({std::to_string(frequency), &runs, frequency});
   }
   return panels;
-}
-
-TextStyle axis_style(const render::Page& page, Align align) {
-  return {.size = axis_type, .color = page.theme().secondary_text, .align = align};
 }
 
 render::Color solver_color(const render::Page& page, const std::string& solver) {
@@ -102,33 +95,30 @@ void draw_cell(render::Page& page, const Rect& cell, const MapColumn& column, do
 }
 
 void draw_map_panel(render::Page& page, const MapPanel& panel, const Rect& rect) {
-  const Rect frame = {rect.x + 0.5, rect.y + 0.5, rect.width - 1, rect.height - 1};
-  page.canvas().rect(frame,
-                     {.fill = page.theme().panel, .outline = page.theme().frame_line, .outline_width = 1});
-  const TextStyle title{.size = 16, .color = page.theme().text, .bold = true};
-  page.canvas().text({rect.x + panel_edge, rect.y + 24}, panel.title, title);
-  page.canvas().text({rect.x + panel_edge, rect.y + 45}, "↑ error wanted", axis_style(page, Align::left));
+  frame_panel(page, rect);
+  page.canvas().text({rect.x + panel_edge, rect.y + 24}, panel.title, name_style(page));
+  page.canvas().text({rect.x + panel_edge, rect.y + 45}, "↑ error wanted", small_style(page));
   const double left = rect.x + panel_edge + 58, top = rect.y + 54;
   const double width = std::floor((rect.width - 2 * panel_edge - 58) / panel.columns.size());
   const double height = std::floor((rect.height - 54 - 46) / map_goals.size());
   const double bottom = top + height * map_goals.size();
   for (int row = 0; row < map_goals.size(); ++row) {
     const double y = bottom - height * (row + 1);
-    page.canvas().text({left - 6, render::baseline_around(y + height / 2, axis_type)},
-                       fmt::format("{:g} mm", 1000 * map_goals[row]), axis_style(page, Align::right));
+    page.canvas().text({left - 6, render::baseline_around(y + height / 2, small_style(page).size)},
+                       fmt::format("{:g} mm", 1000 * map_goals[row]), small_style(page, Align::right));
     for (int i = 0; i < panel.columns.size(); ++i)
       draw_cell(page, {left + width * i, y, width - 1, height - 1}, panel.columns[i], map_goals[row]);
   }
   for (int i = 0; i < panel.columns.size(); ++i)
     page.canvas().text({left + width * (i + 0.5), bottom + 16}, panel.columns[i].label,
-                       axis_style(page, Align::center));
+                       small_style(page, Align::center));
   page.canvas().text({left + width * panel.columns.size() / 2, bottom + 35}, panel.axis,
-                     axis_style(page, Align::center));
+                     small_style(page, Align::center));
 }
 
 void draw_map_legend(render::Page& page, double y) {
   double x = page.sizes().margin;
-  const TextStyle name{.size = 15, .color = page.theme().text, .bold = true};
+  const TextStyle name = name_style(page, 15);
   for (const std::string& solver : map_solvers) {
     page.canvas().rect({x, y, 24, 18}, {.fill = solver_color(page, solver)});
     page.canvas().text({x + 32, y + 14}, solver_label(solver), name);
@@ -139,12 +129,12 @@ void draw_map_legend(render::Page& page, double y) {
       "A cell names the setting that needs the least counted work for the error at its left: steps a second, "
       "× substeps; below them sweeps (of newton: linear systems), and the policy where it is not relaxed. "
       "None: every setting that was tried has a larger error, falls, gains energy, or takes too long.",
-      axis_style(page, Align::left));
+      small_style(page));
 }
 
 }  // namespace
 
-MapPicture draw_map(const MapTable& table, const render::Theme& theme) {
+PanelPicture draw_map(const MapTable& table, const render::Theme& theme) {
   const List<MapPanel> panels = map_panels(table);
   const int rows = (panels.size() + 1) / 2;
   const double body = rows * (map_panel_height + map_gap);

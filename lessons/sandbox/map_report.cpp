@@ -1,5 +1,5 @@
 // The map of settings, as tables and a picture.
-#include "lessons/sandbox/map_report.hpp"
+#include "lessons/sandbox/reports.hpp"
 
 #include <fmt/format.h>
 
@@ -7,16 +7,13 @@
 #include <set>
 
 #include "lessons/records.hpp"
-#include "lessons/sandbox/map_chart.hpp"
-#include "lessons/sandbox/trade_report.hpp"
+#include "lessons/sandbox/charts.hpp"
 #include "measure/whole_file.hpp"
 #include "render/image.hpp"
-#include "tuning/map_study.hpp"
+#include "study/trade_row.hpp"
 
 namespace cairn::sandbox {
 namespace {
-
-const List<std::string> told_solvers = {"si", "accelerated", "block", "newton", "jacobi-split"};
 
 void print_endings(const MapTable& table, Console& console) {
   const List<std::string> endings = {"ok", "off", "fell", "gained", "timeout", "diverged", "nan", "refused"};
@@ -25,7 +22,7 @@ void print_endings(const MapTable& table, Console& console) {
   std::string head = fmt::format("  {:<13}", "solver");
   for (const std::string& ending : endings) head += fmt::format(" {:>8}", ending);
   console.result(head);
-  for (const std::string& solver : told_solvers) {
+  for (const std::string& solver : map_solvers) {
     std::map<std::string, int> counts;
     int all = 0;
     for (const List<MapRow>& runs : table.scenes) {
@@ -65,7 +62,7 @@ void print_choices(const MapTable& table, bool with_joints, double goal, Console
                   scenes.size(), with_joints ? "with" : "without", goal));
   console.result(
       fmt::format("  {:<50} {:>8} {:>12} {:>12}", "setting", "does for", "times least", "is cheapest"));
-  for (const std::string& solver : told_solvers) {
+  for (const std::string& solver : map_solvers) {
     const MapChoice choice = best_for_all(table, scenes, goal, solver);
     if (choice.setting < 0 || scenes.empty()) continue;
     int wins = 0;
@@ -83,7 +80,7 @@ int report_map(const Words& words, const std::string& csv, const std::filesystem
   const CsvTable cells = table_of(csv, words.text("table").value_or("level3"));
   const MapTable table = read_map(cells, words.text("table").value_or("level3"));
   write_whole_file(folder / "level3.csv", csv);
-  const MapPicture picture = draw_map(table, theme_of(words));
+  const PanelPicture picture = draw_map(table, theme_of(words));
   render::write_png(folder / "map.png", picture.image);
   for (const std::string& finding : picture.findings) console.warn("map.png: " + finding);
   if (words.has("json")) {

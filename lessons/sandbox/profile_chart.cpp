@@ -1,9 +1,8 @@
 // Performance profiles, as steps: a step up at every ratio that a solver reaches.
-#include "lessons/sandbox/profile_chart.hpp"
+#include "lessons/sandbox/charts.hpp"
 
 #include <fmt/format.h>
 
-#include "lessons/sandbox/trade_chart.hpp"
 #include "render/plot.hpp"
 
 namespace cairn::sandbox {
@@ -33,7 +32,7 @@ render::Series profile_steps(const PerformanceProfile& profile, const render::Se
 }  // namespace
 
 render::Image draw_profile_chart(const ProfileChart& chart, const render::Theme& theme) {
-  render::Page page(chart.width, chart.height, theme);
+  render::Page page(1280, 720, theme);
   const int problems = chart.profiles.empty() ? 0 : chart.profiles.front().ratios.size();
   page.begin({.number = "", .title = chart.title, .state = fmt::format("{} problems", problems)});
   const render::Rect area = place_note(page, chart.note);

@@ -28,13 +28,16 @@ ProgressLine::ProgressLine(const ConsoleSettings& settings, std::string what, in
       last_line_(start_) {}
 
 void ProgressLine::advance(int done) {
+  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  advance(done, done > 0 ? elapsed * static_cast<double>(total_ - done) / static_cast<double>(done) : 0);
+}
+
+void ProgressLine::advance(int done, double seconds_left) {
   const auto now = std::chrono::steady_clock::now();
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double left = done > 0 ? elapsed * static_cast<double>(total_ - done) / static_cast<double>(done) : 0;
-  bar_.advance(done, time_left_text(left));
+  bar_.advance(done, time_left_text(seconds_left));
   if (!is_plain_ || now - last_line_ < between_lines) return;
   last_line_ = now;
-  fmt::print(stderr, "{} of {} {}, {}\n", done, total_, what_, time_left_text(left));
+  fmt::print(stderr, "{} of {} {}, {}\n", done, total_, what_, time_left_text(seconds_left));
 }
 
 }  // namespace cairn::sandbox

@@ -17,6 +17,8 @@ class ProgressLine {
   ProgressLine(const ConsoleSettings& settings, std::string what, int total);
 
   void advance(int done);
+  /// The same where somebody knows better how long the rest will take.
+  void advance(int done, double seconds_left);
   void clear() { bar_.clear(); }
 
  private:

@@ -16,14 +16,6 @@
 namespace cairn::sandbox {
 namespace {
 
-bool is_finite(const Snapshot& snapshot) {
-  for (const SnapshotBody& body : snapshot.bodies) {
-    if (!body.pose.position.allFinite() || !std::isfinite(body.pose.angle) || !body.velocity.allFinite())
-      return false;
-  }
-  return true;
-}
-
 double sum_of_normal_impulses(const Snapshot& snapshot) {
   double sum = 0;
   for (const SnapshotContact& contact : snapshot.contacts) sum += contact.normal_impulse;

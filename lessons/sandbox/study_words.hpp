@@ -12,10 +12,17 @@ namespace cairn::sandbox {
 Shard shard_of(const Words& words);
 
 /// What a verb with a journal says when it is stopped.
-inline constexpr const char* journal_goes_on = "stopped; the same command goes on where it was";
+inline const std::string journal_goes_on = "stopped; the same command goes on where it was";
 
-/// Begins a journal or takes one up; from then on the program says so wherever it is stopped. @throws
-/// UsageError for one of another study, or of another build.
-Journal open_journal(const Words& words, const std::filesystem::path& path, const Study& study);
+/// Begins a journal or takes one up, with --again without what was found before; from then on the program
+/// says so (`goes_on`) wherever it is stopped. @throws UsageError for one of another study, or of another
+/// build.
+Journal open_journal(const Words& words, const std::filesystem::path& path, const Study& study,
+                     const std::string& goes_on = journal_goes_on);
+
+/// Does what is left of the shard, with a bar that counts `what`; puts the parts of --merge together instead.
+/// False when it was stopped, which it says.
+bool run_or_merge(const Words& words, const Study& study, const Shard& shard, Journal& journal,
+                  const std::string& what, const std::string& goes_on = journal_goes_on);
 
 }  // namespace cairn::sandbox

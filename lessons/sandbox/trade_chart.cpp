@@ -1,12 +1,11 @@
 // Work against error, as a picture: every setting a dot, the best of each solver a curve.
-#include "lessons/sandbox/trade_chart.hpp"
+#include "lessons/sandbox/charts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "render/plot.hpp"
-#include "render/text_layout.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -62,61 +61,10 @@ render::Plot plot_of(const TradeChart& chart, const render::Theme& theme) {
   return plot;
 }
 
-/// That of its family.
-render::SeriesStyle family_style(const std::string& solver, const render::Theme& theme) {
-  if (solver == "si") return theme.si;
-  if (solver == "box2d") return theme.box2d;
-  if (solver.rfind("jacobi", 0) == 0) return theme.jacobi;
-  if (solver.rfind("pgs", 0) == 0 || solver == "block") return theme.pgs;
-  return theme.exact;
-}
-
 }  // namespace
 
-List<render::SeriesStyle> solver_styles(const List<std::string>& solvers, const render::Theme& theme) {
-  List<render::SeriesStyle> free = {theme.exact, theme.jacobi, theme.pgs, theme.si, theme.box2d};
-  const auto take = [&free](const render::SeriesStyle& style) {
-    const int before = free.size();
-    erase_if(free, [&](const auto& other) { return other.marker == style.marker; });
-    return free.size() < before;
-  };
-  List<render::SeriesStyle> styles;
-  List<int> without;  // one of their own
-  for (int i = 0; i < solvers.size(); ++i) {
-    styles.push_back(family_style(solvers[i], theme));
-    if (!take(styles.back())) without.push_back(i);
-  }
-  for (const int i : without) {
-    styles[i] = free.front();
-    take(styles[i]);
-  }
-  return styles;
-}
-
-std::string solver_label(const std::string& solver) {
-  if (solver == "si") return "SI";
-  if (solver == "box2d") return "Box2D";
-  return solver.rfind("pgs", 0) == 0 ? "PGS" + solver.substr(3) : solver;
-}
-
-std::string unmarked(const std::string& text) {
-  std::string plain;
-  for (const char c : text) plain += c == '_' ? std::string("\\_") : std::string(1, c);
-  return plain;
-}
-
-render::Rect place_note(render::Page& page, const std::string& note) {
-  const render::Rect area = page.area();
-  if (note.empty()) return area;
-  const double size = page.secondary().size;
-  const int lines = render::wrapped(page.canvas(), note, area.width, page.secondary()).size();
-  const double height = (render::leading * (static_cast<double>(lines) - 1) + 1.8) * size;
-  page.paragraph({area.x, area.y + area.height - height + 1.5 * size}, area.width, note, page.secondary());
-  return {area.x, area.y, area.width, area.height - height};
-}
-
 render::Image draw_trade_chart(const TradeChart& chart, const render::Theme& theme) {
-  render::Page page(chart.width, chart.height, theme);
+  render::Page page(1280, 720, theme);
   page.begin({.number = "", .title = chart.title, .state = fmt::format("{} settings", chart.points.size())});
   const render::Rect area = place_note(page, chart.note);
   draw_plot(page, area, plot_of(chart, theme));

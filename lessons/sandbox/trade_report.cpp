@@ -1,16 +1,13 @@
 // Reports of work against error.
-#include "lessons/sandbox/trade_report.hpp"
+#include "lessons/sandbox/reports.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "lessons/records.hpp"
-#include "lessons/sandbox/map_report.hpp"
-#include "lessons/sandbox/profile_chart.hpp"
-#include "lessons/sandbox/trade_chart.hpp"
+#include "lessons/sandbox/charts.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "measure/whole_file.hpp"
@@ -188,11 +185,6 @@ std::string report_scene(const Words& words, const TradeStudy& trade, const CsvT
 }
 
 }  // namespace
-
-CsvTable table_of(const std::string& csv, const std::string& name) {
-  std::istringstream in(csv);
-  return read_csv(in, name);
-}
 
 render::Theme theme_of(const Words& words) {
   const bool is_dark = words.word("theme", "light", {"light", "dark"}) == "dark";

@@ -1,19 +1,19 @@
 // Studies of work against error, from the words of a command line.
-#include "lessons/sandbox/trade_study.hpp"
+#include "lessons/sandbox/reports.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "frozen/frozen_set.hpp"
+#include "study/frozen/frozen_set.hpp"
 #include "lessons/sandbox/scene_words.hpp"
-#include "lessons/sandbox/trade_chart.hpp"
+#include "lessons/sandbox/charts.hpp"
 #include "lessons/words.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trajectory_study.hpp"
 #include "study/work_precision.hpp"
-#include "tuning/map_study.hpp"
+#include "study/tuning/map_study.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -97,8 +97,8 @@ TradeStudy solve_trade(const Words& words, const List<std::string>& names) {
       .shown = {{"warm", start}, {"scalar", scalar}}};
 }
 
-TrajectoryGrid trajectory_grid(const Words& words) {
-  TrajectoryGrid grid;
+SettingGrid grid_of(const Words& words) {
+  SettingGrid grid = trajectory_grid();
   if (!has_box2d()) {
     grid.solvers.erase(std::remove(grid.solvers.begin(), grid.solvers.end(), "box2d"), grid.solvers.end());
   }
@@ -114,7 +114,7 @@ TrajectoryGrid trajectory_grid(const Words& words) {
 }
 
 /// Says which solvers the scene is nothing for before their first step.
-void require_runnable(const Words& words, const TrajectoryScene& scene, const TrajectoryGrid& grid) {
+void require_runnable(const Words& words, const TrajectoryScene& scene, const SettingGrid& grid) {
   List<std::string> refusals;
   for (const std::string& solver : grid.solvers) {
     Setting setting = grid.base;
@@ -140,7 +140,7 @@ std::string trajectory_note(const TrajectoryScene& scene) {
 /// Level 2: whole runs.
 TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) {
   for (const char* flag : {"start", "scalar"}) words.refuse_beside(flag, "for whole runs (level 2)");
-  const TrajectoryGrid grid = trajectory_grid(words);
+  const SettingGrid grid = grid_of(words);
   List<TrajectoryScene> scenes;
   for (const std::string& name : names) {
     scenes.push_back(trajectory_scene(name));

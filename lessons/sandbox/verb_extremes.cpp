@@ -2,19 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <map>
 
-#include "extremes/extreme.hpp"
-#include "extremes/extreme_study.hpp"
+#include "study/extremes/extreme.hpp"
 #include "lessons/records.hpp"
-#include "lessons/sandbox/atlas_report.hpp"
-#include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "math/nearest.hpp"
+#include "study/trade_row.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -56,36 +54,47 @@ List<std::string> lined_up(const List<List<std::string>>& rows) {
   return lines;
 }
 
-void print_table(const List<ExtremeRow>& found, const Words& words, Console& console) {
+bool is_met(const CsvTable& found, int row) { return number_in(found, row, "meets") == 1; }
+
+/// Of a refusal there is no number.
+List<std::string> row_cells(const CsvTable& found, int row) {
+  List<std::string> cells;
+  for (const char* column : {"axis", "value", "solver", "policy", "verdict", "required", "quantity"})
+    cells.push_back(shown_in(found, row, column));
+  const bool refused = text_in(found, row, "verdict") == "REFUSE";
+  for (const char* column : {"measured", "limit"})
+    cells.push_back(refused ? "" : fmt::format("{:.3g}", number_in(found, row, column)));
+  cells.push_back(is_met(found, row) ? "" : shown_in(found, row, "note"));
+  return cells;
+}
+
+void print_table(const CsvTable& found, const Words& words, Console& console) {
   List<List<std::string>> cells = {
       {"axis", "value", "solver", "policy", "verdict", "must", "quantity", "value", "limit", ""}};
   List<bool> good = {true};
-  for (const ExtremeRow& row : found) {
-    if (words.has("missed") && row.meets) continue;
-    const bool refused = row.verdict == "REFUSE";
-    cells.push_back({row.axis, row.value, row.solver, row.policy, row.verdict, row.required, row.quantity,
-                     refused ? "" : fmt::format("{:.3g}", row.measured),
-                     refused ? "" : fmt::format("{:.3g}", row.limit), row.meets ? "" : row.note});
-    good.push_back(row.meets);
+  for (int row = 0; row < found.rows.size(); ++row) {
+    if (words.has("missed") && is_met(found, row)) continue;
+    cells.push_back(row_cells(found, row));
+    good.push_back(is_met(found, row));
   }
   const List<std::string> lines = lined_up(cells);
   for (int i = 0; i < lines.size(); ++i)
     console.result(good[i] ? console.spelt(lines[i]) : console.colored(console.spelt(lines[i]), Color::bad));
 }
 
-int report_extremes(const List<ExtremeRow>& found, const Words& words, Console& console) {
+int report_extremes(const CsvTable& found, const Words& words, Console& console) {
   std::map<std::string, int> verdicts;
   int missed = 0;
-  for (const ExtremeRow& row : found) {
-    verdicts[row.verdict] += 1;
-    missed += !row.meets;
+  for (int row = 0; row < found.rows.size(); ++row) {
+    verdicts[text_in(found, row, "verdict")] += 1;
+    missed += !is_met(found, row);
   }
   if (words.has("json"))
     fmt::print("{}\n", extreme_json(found));
   else
     print_table(found, words, console);
   const std::string summary = fmt::format(
-      "{} cases: {} OK, {} BOUND, {} REFUSE, {} TOLD, {} FAIL; {} miss what is required", found.size(),
+      "{} cases: {} OK, {} BOUND, {} REFUSE, {} TOLD, {} FAIL; {} miss what is required", found.rows.size(),
       verdicts["OK"], verdicts["BOUND"], verdicts["REFUSE"], verdicts["TOLD"], verdicts["FAIL"], missed);
   if (words.has("json"))
     console.narrate(summary);
@@ -102,26 +111,10 @@ int run_extremes(const Words& words, Console& console) {
   const Study study = extreme_study(choice);
   const Shard shard = shard_of(words);
   const fs::path folder = words.text("out").value_or("out/extremes");
-  std::error_code error;
-  fs::create_directories(folder, error);
   const fs::path file = folder / fmt::format("{}_{}_of_{}.csv", study.name, shard.number, shard.of);
-  if (words.has("again")) fs::remove(file, error);
   Journal journal = open_journal(words, file, study);
-  if (words.has("merge")) {
-    for (const std::string& other : words.texts("merge")) journal.absorb(other);
-  } else {
-    Progress bar(words.console, "cases", study.tasks.size());
-    const bool finished = run_study(study, shard, journal, [&](int done, int total, double left) {
-      bar.expect(total);
-      bar.advance(done, fmt::format("{:.0f} s left", left));
-      return !interrupted();
-    });
-    if (!finished) {
-      console.warn(journal_goes_on);
-      return stopped;
-    }
-  }
-  const int code = report_extremes(extreme_rows(journal.csv()), words, console);
+  if (!run_or_merge(words, study, shard, journal, "cases")) return stopped;
+  const int code = report_extremes(extreme_table(journal.csv()), words, console);
   console.narrate("journal: " + file.string() + "; --again begins anew");
   return code;
 }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "frozen/frozen_set.hpp"
+#include "study/frozen/frozen_set.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "math/list.hpp"
@@ -110,11 +110,9 @@ Verb freeze_verb() {
           .summary = "writes one step's problem to a file, to the last bit",
           .idea =
               "A world asks its solver one question a step: given these rows, masses and velocities, which "
-              "impulses? "
-              "This verb keeps the question: as JSON, with 17 digits, so that it reads back bit for bit and "
-              "every solver "
-              "can be given the very same. SCENE is the name of a scene, the path of a scene file, or a "
-              "problem of the frozen set.",
+              "impulses? This verb keeps the question: as JSON, with 17 digits, so that it reads back bit "
+              "for bit and every solver can be given the very same. SCENE is the name of a scene, the path "
+              "of a scene file, or a problem of the frozen set.",
           .flags = {{"step", "N", "after so many steps of a scene (30)"},
                     {"sweeps", "N", "of SI in the steps before (10)"},
                     {"out", "FILE", "where to (NAME.json; with --json: nowhere)"},

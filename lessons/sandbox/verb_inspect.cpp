@@ -250,12 +250,9 @@ Verb inspect_verb() {
       .summary = "one step: its rows, A, impulses sweep by sweep, and the exact answer",
       .idea =
           "Steps the scene in double as `cairn run` does, and takes step N apart: each row with its bodies, "
-          "the "
-          "velocity that it had, the velocity that it wants, its bounds and its impulse; A = J M^-1 J^T; "
-          "what "
-          "each sweep left (R_E is 1 where nothing was done and 0 at the solution); and how far the answer "
-          "is "
-          "from that of the reference solver.",
+          "the velocity that it had, the velocity that it wants, its bounds and its impulse; A = J M^-1 "
+          "J^T; what each sweep left (R_E is 1 where nothing was done and 0 at the solution); and how far "
+          "the answer is from that of the reference solver.",
       .flags = inspect_flags(),
       .examples = {"inspect stack --step 1 --sweeps 10", "inspect pulley",
                    "inspect arch --picture arch-A.png"},

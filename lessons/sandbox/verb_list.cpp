@@ -106,8 +106,7 @@ Verb list_verb() {
           .summary = "the scenes, solvers and stabilizations there are",
           .idea =
               "What can be named behind the other verbs and their flags, each with a word on what it is. "
-              "KIND: scenes, "
-              "solvers or stabilizations; all of them without it.",
+              "KIND: scenes, solvers or stabilizations; all of them without it.",
           .flags = {},
           .examples = {"list", "list solvers", "list scenes --json"},
           .run = run_list};

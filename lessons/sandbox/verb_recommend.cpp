@@ -3,11 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "math/list.hpp"
 #include "measure/whole_file.hpp"
-#include "tuning/recommend.hpp"
+#include "study/tuning/recommend.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -82,17 +82,6 @@ Json kind_json(const Recommendation& of_kind) {
   return json;
 }
 
-/// What an earlier renewal has found out.
-List<Recommendation> taken_up(const fs::path& part, Console& console) {
-  try {
-    const List<Recommendation> known = unfinished_recommendations(part);
-    if (!known.empty()) console.narrate("goes on from " + part.string());
-    return known;
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("cairn recommend: ") + error.what() + "; delete that file to begin anew");
-  }
-}
-
 int renew(const Words& words, Console& console) {
   for (const char* flag : {"from", "json"}) words.refuse_beside(flag, "beside --renew");
   if (!words.places.empty())
@@ -100,25 +89,13 @@ int renew(const Words& words, Console& console) {
   const fs::path target = words.text("out").value_or(recommended_file().string());
   fs::path part = target;
   part += ".renewing";
-  List<Recommendation> known = taken_up(part, console);
-  Progress bar(words.console, "settings", 0);
-  const auto keep = [&](const List<Recommendation>& all) {
-    write_whole_file(part, recommendations_json(all));
-  };
-  keep(known);  // before the first run, which takes a while: there is a place to write to
+  const Study study = recommend_study();
   const std::string goes_on = "stopped; the same command goes on from " + part.string();
-  say_when_stopped(goes_on);
-  const bool complete = renew_recommendations(known, keep, [&](int done, int total) {
-    bar.expect(total);
-    bar.advance(done);
-    return !interrupted();
-  });
-  bar.clear();
-  if (!complete) {
-    console.warn(goes_on);
-    return stopped;
-  }
-  fs::rename(part, target);
+  Journal journal = open_journal(words, part, study, goes_on);
+  if (journal.size() > 0) console.narrate("goes on from " + part.string());
+  if (!run_or_merge(words, study, {}, journal, "settings", goes_on)) return stopped;
+  write_whole_file(target, recommendations_json(recommendations_of(journal.csv())));
+  fs::remove(part);
   console.result(console.spelt("wrote " + target.string()));
   return all_well;
 }

@@ -76,12 +76,11 @@ Verb run_verb() {
       .idea =
           "Steps the scene by the setting that is recommended for it, or by yours, and holds what came out "
           "against what is expected: overlap, drift of joints, energy out of nothing and energy lost, "
-          "whether it stands: "
-          "nothing is farther from its place, aside or down, than the scene allows. Places are those after "
-          "the first second, or half of a shorter run. "
-          "Nothing is written unless a flag names a file. Exit code 1 when an expectation is missed, or when "
-          "bodies went through each other, began below the ground or fell out of the scene or for ever, "
-          "joints came apart or stayed off, or energy came from nowhere; 4 when the run diverges.",
+          "whether it stands: nothing is farther from its place, aside or down, than the scene allows. "
+          "Places are those after the first second, or half of a shorter run. Nothing is written unless a "
+          "flag names a file. Exit code 1 when an expectation is missed, or when bodies went through each "
+          "other, began below the ground or fell out of the scene or for ever, joints came apart or stayed "
+          "off, or energy came from nowhere; 4 when the run diverges.",
       .flags = joined_flags(
           joined_flags(joined_flags(setting_flags(), {{"seconds", "TIME", "to simulate (the scene's own)"}}),
                        film_flags()),

@@ -6,26 +6,21 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "frozen/frozen_set.hpp"
+#include "study/frozen/frozen_set.hpp"
 #include "lessons/records.hpp"
-#include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/study_words.hpp"
-#include "lessons/sandbox/trade_report.hpp"
+#include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include "lessons/words.hpp"
 #include "math/list.hpp"
+#include "study/trade_row.hpp"
 #include "study/trajectory_study.hpp"
 
 namespace cairn::sandbox {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string left_text(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s left", seconds);
-  return fmt::format("{:.0f} min left", seconds / 60);
-}
 
 int list_scenes(const Words& words, Console& console) {
   if (words.has("json")) {
@@ -47,20 +42,12 @@ void make_folder(const fs::path& folder) {
   if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
 }
 
-/// True when it went to its end.
-bool run_to_the_end(const Words& words, const Study& study, const Shard& shard, Journal& journal,
-                    Console& console) {
-  int count = 0;
-  for (int task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
-  console.narrate(fmt::format("{} of {} settings to try", count, study.tasks.size()));
+/// What there is to do, and what was done before.
+void tell_plan(const Study& study, const Shard& shard, const Journal& journal, Console& console) {
+  console.narrate(fmt::format("{} of {} settings to try", tasks_in(study, shard), study.tasks.size()));
   if (journal.size() > 0) {
     console.narrate(fmt::format("{} of them were tried before, as the journal says", journal.size()));
   }
-  Progress bar(words.console, "settings", count);
-  return run_study(study, shard, journal, [&](int done, int, double left) {
-    bar.advance(done, left_text(left));
-    return !interrupted();
-  });
 }
 
 /// Tells the table of an earlier run: level 3 alone, whose tables are kept.
@@ -83,15 +70,11 @@ int run_level(const Words& words, Console& console) {
   const Shard shard = shard_of(words);
   (void)theme_of(words);  // refuses a wrong one before the work
   const TradeStudy trade = trade_study(words);
-  const List<std::string> parts = words.texts("merge");
   make_folder(folder);
   const std::string part = shard.of > 1 ? fmt::format(".{}-of-{}", shard.number, shard.of) : "";
   Journal journal = open_journal(words, folder / (trade.name + part + ".journal"), trade.study);
-  for (const std::string& other : parts) journal.absorb(other);
-  if (parts.empty() && !run_to_the_end(words, trade.study, shard, journal, console)) {
-    console.warn(journal_goes_on);
-    return stopped;
-  }
+  if (!words.has("merge")) tell_plan(trade.study, shard, journal, console);
+  if (!run_or_merge(words, trade.study, shard, journal, "settings")) return stopped;
   if (shard.of > 1) {
     if (words.has("json")) fmt::print("{}", json_of(table_of(journal.csv(), trade.name)));
     console.narrate(
@@ -133,16 +116,14 @@ Verb tradeoff_verb() {
       .most_places = 1,
       .summary = "work against error: a table and a chart",
       .idea =
-          "Runs every setting of a grid and shows what more work buys. Of a frozen problem (level 1): "
-          "every solver after 1, 2, "
-          "4 ... 4096 sweeps, cold and warm, in float and double; row updates and time against R_E or, "
-          "where the true "
-          "velocity is known to be unique, E_M. Of a scene (level 2): solver, sweeps, substeps and steps "
-          "a second, with Box2D 2.4.1 "
-          "as one more contestant; the error is a formula's where one knows the motion, else the worst "
-          "overlap. Settings under which a scene falls, or that take more than about half of real time, are "
-          "not followed further. Level 3 is the map of settings: 1472 of them "
-          "in 74 scenes, each with its error and its counted work. It can be stopped and taken up again.",
+          "Runs every setting of a grid and shows what more work buys. Of a frozen problem (level 1): every "
+          "solver after 1, 2, 4 ... 4096 sweeps, cold and warm, in float and double; row updates and time "
+          "against R_E or, where the true velocity is known to be unique, E_M. Of a scene (level 2): "
+          "solver, sweeps, substeps and steps a second, with Box2D 2.4.1 as one more contestant; the error "
+          "is a formula's where one knows the motion, else the worst overlap. Settings under which a scene "
+          "falls, or that take more than about half of real time, are not followed further. Level 3 is the "
+          "map of settings: 1472 of them in 74 scenes, each with its error and its counted work. It can be "
+          "stopped and taken up again.",
       .flags = joined_flags(
           {{"level", "1|2|3",
             "one step, whole runs (as the scene asks for; --all: both), or with --all the map of settings"},

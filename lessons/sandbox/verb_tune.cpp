@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/interrupt.hpp"
@@ -12,9 +11,7 @@
 #include "math/list.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/build_info.hpp"
-#include "study/expectation.hpp"
-#include "study/jitter.hpp"
-#include "tuning/tuner.hpp"
+#include "study/tuning/tuner.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -22,8 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Color = Console::Color;
 
-constexpr double jitter_size = 1e-6;  // [m]
-constexpr double longest_run = 1e5;   // [s]
+constexpr double longest_run = 1e5;  // [s]
 
 Wish wish_of(const Words& words) {
   Wish wish;
@@ -190,38 +186,16 @@ TunerOptions tuner_options(const Words& words, Progress& bar) {
   return options;
 }
 
-/// Runs of the scene that give up once the wish cannot be met any more, their time is over or the program is
-/// interrupted. What is passed must stay where it is.
-TunerRun tuner_run(const SceneEntry& entry, const Scene& scene, double seconds, const Wish& wish) {
-  using Clock = std::chrono::steady_clock;
-  TrialOptions trial = trial_options(entry);
-  trial.seconds = seconds;
-  trial.residual = wish.residual ? ResidualMeasure::every_step : ResidualMeasure::off;
-  return [trial, &scene, &wish](const Setting& setting, std::uint64_t start, double seconds_left) mutable {
-    const auto begin = Clock::now();
-    trial.gives_up = [&](const TrialResult& so_far) {
-      const bool late = std::chrono::duration<double>(Clock::now() - begin).count() > seconds_left;
-      return late || interrupted() || !verdict_so_far(so_far, wish).meets;
-    };
-    TrialResult result = run_trial(start == 0 ? scene : jittered(scene, jitter_size, start), setting, trial);
-    if (interrupted()) result.status = TrialStatus::timeout;  // it may have been cut short
-    return result;
-  };
-}
-
 int run_tune(const Words& words, Console& console) {
   const SceneEntry entry = scene_of(words, words.places.front());
   const Wish wish = wish_of(words);
   check_stands(words, entry);
   const double seconds = seconds_to_tune(words, entry, wish);
-  const Scene scene = entry.make();
   Progress bar(words.console, "settings", 0);  // tune() knows how many
-  TunerOptions options = tuner_options(words, bar);
-  options.has_joints = !scene.joints().empty();
-  const TunerRun run = tuner_run(entry, scene, seconds, wish);
+  const TunerOptions options = tuner_options(words, bar);
   console.narrate(fmt::format("{}: {}, for {:g} s from {}", entry.name, wish_text(wish), seconds,
                               starts_text(options.starts)));
-  const TunerAnswer answer = tune(run, wish, options);
+  const TunerAnswer answer = tune(entry, seconds, wish, options, interrupted);
   bar.clear();
   if (interrupted()) {
     console.warn(fmt::format("stopped after {} settings", answer.tried));
@@ -247,17 +221,15 @@ Verb tune_verb() {
       .most_places = 1,
       .summary = "the cheapest setting that meets an error you name",
       .idea =
-          "Tries solvers, sweeps, steps, substeps and policies from the least work to the most, and "
-          "finds the one that costs "
-          "the least processor time of those that do what you wish, from 16 starts a thousandth of a "
-          "millimetre apart. "
-          "Says what that costs beside plain SI (60 Hz, Baumgarte, more and more sweeps) and beside "
-          "Box2D 2.4.1. "
-          "Several wishes must all be met. Exit code 1 when nothing does. A scene stands while no body is "
-          "farther from its place, aside or down, than it allows ([expect] stands in its file); places are "
-          "those after the first second (or half of a shorter run). Until then, and upwards, a body may "
-          "come as far as half its radius. Where the file says in which places bodies should end "
-          "([[expect.body]]), a run that ends with them there stands, and no other.",
+          "Tries solvers, sweeps, steps, substeps and policies from the least work to the most, and finds "
+          "the one that costs the least processor time of those that do what you wish, from 16 starts a "
+          "thousandth of a millimetre apart. Says what that costs beside plain SI (60 Hz, Baumgarte, more "
+          "and more sweeps) and beside Box2D 2.4.1. Several wishes must all be met. Exit code 1 when "
+          "nothing does. A scene stands while no body is farther from its place, aside or down, than it "
+          "allows ([expect] stands in its file); places are those after the first second (or half of a "
+          "shorter run). Until then, and upwards, a body may come as far as half its radius. Where the file "
+          "says in which places bodies should end ([[expect.body]]), a run that ends with them there "
+          "stands, and no other.",
       .flags = {{"penetration", "LENGTH", "no two shapes overlap by more, such as 2mm"},
                 {"drift", "LENGTH", "no joint is farther off, such as 1mm"},
                 {"residual", "R_E", "no solve leaves more, such as 0.01"},

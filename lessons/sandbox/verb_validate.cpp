@@ -269,10 +269,9 @@ Verb validate_verb() {
           .summary = "every closed form beside what Cairn and Box2D compute",
           .idea =
               "Runs every case whose answer a formula knows, and compares: the formula's number, the "
-              "engine's, the error, the "
-              "tolerance with where it comes from, and the order of convergence in dt where there is one. "
-              "Box2D 2.4.1 "
-              "runs the cases that it can. Exit code 1 when Cairn misses a tolerance.",
+              "engine's, the error, the tolerance with where it comes from, and the order of convergence in "
+              "dt where there is one. Box2D 2.4.1 runs the cases that it can. Exit code 1 when Cairn misses "
+              "a tolerance.",
           .flags = {{"only", "ID,ID", "these cases only, such as B4,B5", true},
                     {"summary", "", "one sentence, and the cases that fail"},
                     {"list", "", "the cases, without running them"},

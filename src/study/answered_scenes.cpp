@@ -1,4 +1,4 @@
-// Floor 10. Motions with a known end.
+// Floor 9. Motions with a known end.
 #include "study/answered_scenes.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace cairn {
 
 namespace {
 
-constexpr double g = 10;  // [m/s^2]
+constexpr double gravity = 10;  // [m/s^2]
 
 /// The error of one number that a function finds in the last snapshot.
 class LastNumber final : public MotionError {
@@ -81,7 +81,7 @@ double mean_of(double a, double b, double& geometric) {
 double rod_period(double amplitude) {
   double geometric = 0;
   const double mean = mean_of(1, std::cos(amplitude / 2), geometric);
-  return 2 * pi * std::sqrt((1.0 / 3) / (g * 0.5)) / mean;
+  return 2 * pi * std::sqrt((1.0 / 3) / (gravity * 0.5)) / mean;
 }
 
 SceneSettings weightless() {
@@ -188,7 +188,7 @@ const List<AnsweredScene>& answered_scenes() {
        .formula = "that of the start; compared with 2 m g 2 L",
        .seconds = 5,
        .make = double_pendulum,
-       .watch = [] { return std::make_unique<EnergyChange>(2 * g * 2); }},
+       .watch = [] { return std::make_unique<EnergyChange>(2 * gravity * 2); }},
       {.name = "rotor",
        .what = "distance from the pin after 2 turns",
        .formula = "1 m",

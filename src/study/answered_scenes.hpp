@@ -1,4 +1,4 @@
-// Floor 10. Motions whose end a formula knows: for measuring what a setting costs and misses.
+// Floor 9. Motions whose end a formula knows: for measuring what a setting costs and misses.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Floor 10. Machine and compiler.
+// Floor 9. Machine and compiler.
 #include "study/build_info.hpp"
 #include "math/list.hpp"
 

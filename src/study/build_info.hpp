@@ -1,4 +1,4 @@
-// Floor 10. What numbers about time come from, and what it takes to have them again.
+// Floor 9. What numbers about time come from, and what it takes to have them again.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

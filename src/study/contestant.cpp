@@ -1,4 +1,4 @@
-// Floor 10. Stepping a scene under a setting.
+// Floor 9. Stepping a scene under a setting.
 #include "study/contestant.hpp"
 
 #include "measure/fingerprint.hpp"

@@ -1,4 +1,4 @@
-// Floor 10. A scene under a setting, whoever steps it: Cairn in one of its scalars, or Box2D.
+// Floor 9. A scene under a setting, whoever steps it: Cairn in one of its scalars, or Box2D.
 #pragma once
 
 #include <cstdint>

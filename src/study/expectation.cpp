@@ -1,4 +1,4 @@
-// Floor 10. Holding a run against what its scene expects.
+// Floor 9. Holding a run against what its scene expects.
 #include "study/expectation.hpp"
 #include "math/list.hpp"
 

@@ -1,4 +1,4 @@
-// Floor 10. Whether a run keeps to what its scene expects.
+// Floor 9. Whether a run keeps to what its scene expects.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Floor 10. Jitter from a generator whose numbers the C++ standard fixes.
+// Floor 9. Jitter from a generator whose numbers the C++ standard fixes.
 #include "study/jitter.hpp"
 
 #include <cmath>
@@ -28,6 +28,10 @@ Scene jittered(const Scene& scene, double size, std::uint64_t seed) {
     displace(result, {body}, {size * x, size * y});
   }
   return result;
+}
+
+Scene nth_start(const Scene& scene, std::uint64_t start) {
+  return start == 0 ? scene : jittered(scene, 1e-6, start);
 }
 
 }  // namespace cairn

@@ -1,4 +1,4 @@
-// Floor 10. A scene that begins a little elsewhere.
+// Floor 9. A scene that begins a little elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -12,5 +12,8 @@ namespace cairn {
 /// an error of that size.
 /// @throws std::invalid_argument unless size is a finite number >= 0.
 Scene jittered(const Scene& scene, double size, std::uint64_t seed);
+
+/// One of many starts that should come to the same: 0 is the scene as it is, the others are a micrometre off.
+Scene nth_start(const Scene& scene, std::uint64_t start);
 
 }  // namespace cairn

@@ -1,4 +1,4 @@
-// Floor 10. Journals of studies.
+// Floor 9. Journals of studies.
 #include "study/journal.hpp"
 
 #include <charconv>
@@ -112,14 +112,18 @@ std::string Journal::csv() const {
   return text;
 }
 
+int tasks_in(const Study& study, const Shard& shard) {
+  int count = 0;
+  for (int task = 0; task < study.tasks.size(); ++task) count += shard.holds(task) ? 1 : 0;
+  return count;
+}
+
 bool run_study(const Study& study, const Shard& shard, Journal& journal, const StudyProgress& progress) {
   List<int> waiting;
-  int total = 0;
   for (int task = 0; task < study.tasks.size(); ++task) {
-    if (!shard.holds(task)) continue;
-    ++total;
-    if (!journal.has(task)) waiting.push_back(task);
+    if (shard.holds(task) && !journal.has(task)) waiting.push_back(task);
   }
+  const int total = tasks_in(study, shard);
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < waiting.size(); ++i) {
     journal.write(waiting[i], study.tasks[waiting[i]].run());

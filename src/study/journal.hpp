@@ -1,4 +1,4 @@
-// Floor 10. Long studies, task by task on disk: they can be stopped, taken up again, and shared out.
+// Floor 9. Long studies, task by task on disk: they can be stopped, taken up again, and shared out.
 #pragma once
 
 #include <cstddef>
@@ -64,6 +64,9 @@ class Journal {
   int tasks_ = 0;
   std::map<int, std::string> lines_;  // by task, without the line break
 };
+
+/// How many tasks the shard has.
+int tasks_in(const Study& study, const Shard& shard);
 
 /// Told after every task: how many of `total` are done, and how many seconds those that are left will take if
 /// they are like those of this run. False stops the study.

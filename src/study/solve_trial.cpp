@@ -1,4 +1,4 @@
-// Floor 10. Solving, judging, and solving again for the clock.
+// Floor 9. Solving, judging, and solving again for the clock.
 #include "study/solve_trial.hpp"
 
 #include <algorithm>

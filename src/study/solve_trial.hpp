@@ -1,4 +1,4 @@
-// Floor 10. One solver on one frozen problem: how far it comes with so many sweeps, and in what time.
+// Floor 9. One solver on one frozen problem: how far it comes with so many sweeps, and in what time.
 #pragma once
 
 #include <cstdint>

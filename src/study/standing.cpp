@@ -1,4 +1,4 @@
-// Floor 10. Places, and ways from them.
+// Floor 9. Places, and ways from them.
 #include "study/standing.hpp"
 
 #include <algorithm>

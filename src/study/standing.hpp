@@ -1,4 +1,4 @@
-// Floor 10. Whether the bodies of a scene keep their places once they have settled in them.
+// Floor 9. Whether the bodies of a scene keep their places once they have settled in them.
 #pragma once
 
 #include "world/snapshot.hpp"

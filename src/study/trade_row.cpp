@@ -1,70 +1,97 @@
-// Floor 10. Rows by the names of their columns.
+// Floor 9. Rows by the names of their columns.
 #include "study/trade_row.hpp"
 #include "math/list.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <sstream>
 #include <stdexcept>
+
+#include "math/check.hpp"
 
 namespace cairn {
 
 const List<TradeColumn>& trade_columns() {
-  static const List<TradeColumn> columns = {{"schema", ""},
-                                            {"version", ""},
-                                            {"git", ""},
-                                            {"box2d", ""},
-                                            {"compiler", ""},
-                                            {"flags", ""},
-                                            {"cpu", ""},
-                                            {"cores", ""},
-                                            {"scalar", ""},
-                                            {"scene", ""},
-                                            {"scene_hash", ""},
-                                            {"level", ""},
-                                            {"bodies", ""},
-                                            {"rows", ""},
-                                            {"nnzA", ""},
-                                            {"unique_v", ""},
-                                            {"solver", ""},
-                                            {"setting", ""},
-                                            {"dt", "s"},
-                                            {"substeps", ""},
-                                            {"sweeps", ""},
-                                            {"warm", ""},
-                                            {"friction_model", ""},
-                                            {"stabilizer", ""},
-                                            {"beta", ""},
-                                            {"slop", "m"},
-                                            {"starts", ""},
-                                            {"row_updates", ""},
-                                            {"solve_ns_min", "ns"},
-                                            {"solve_ns_med", "ns"},
-                                            {"solve_ns_iqr", "ns"},
-                                            {"step_ns_med", "ns"},
-                                            {"reps", ""},
-                                            {"R_E", ""},
-                                            {"R_E_v", ""},
-                                            {"r_inf_e", "m/s"},
-                                            {"r_inf_n", "m/s"},
-                                            {"r_inf_t", "m/s"},
-                                            {"E_M", ""},
-                                            {"delta_v_lambda", ""},
-                                            {"gap_J", "J"},
-                                            {"pen_max", "m"},
-                                            {"drift_max", "m"},
-                                            {"dE_max_gain", ""},
-                                            {"dE_final", ""},
-                                            {"stands_until", "s"},
-                                            {"survival", ""},
-                                            {"cost", "s/s"},
-                                            {"work", "1/s"},
-                                            {"err_name", ""},
-                                            {"err_value", ""},
-                                            {"err_p90", ""},
-                                            {"err_ref", ""},
-                                            {"ref_kind", ""},
-                                            {"status", ""},
-                                            {"state_hash", ""}};
+  static const List<TradeColumn> columns = [] {
+    const List<std::string> names = {"schema",
+                                     "version",
+                                     "git",
+                                     "box2d",
+                                     "compiler",
+                                     "flags",
+                                     "cpu",
+                                     "cores",
+                                     "scalar",
+                                     "scene",
+                                     "scene_hash",
+                                     "level",
+                                     "bodies",
+                                     "rows",
+                                     "nnzA",
+                                     "unique_v",
+                                     "solver",
+                                     "setting",
+                                     "dt",
+                                     "substeps",
+                                     "sweeps",
+                                     "warm",
+                                     "friction_model",
+                                     "stabilizer",
+                                     "beta",
+                                     "slop",
+                                     "starts",
+                                     "row_updates",
+                                     "solve_ns_min",
+                                     "solve_ns_med",
+                                     "solve_ns_iqr",
+                                     "step_ns_med",
+                                     "reps",
+                                     "R_E",
+                                     "R_E_v",
+                                     "r_inf_e",
+                                     "r_inf_n",
+                                     "r_inf_t",
+                                     "E_M",
+                                     "delta_v_lambda",
+                                     "gap_J",
+                                     "pen_max",
+                                     "drift_max",
+                                     "dE_max_gain",
+                                     "dE_final",
+                                     "stands_until",
+                                     "survival",
+                                     "cost",
+                                     "work",
+                                     "err_name",
+                                     "err_value",
+                                     "err_p90",
+                                     "err_ref",
+                                     "ref_kind",
+                                     "status",
+                                     "state_hash"};
+    const std::map<std::string, std::string> units = {{"dt", "s"},
+                                                      {"slop", "m"},
+                                                      {"solve_ns_min", "ns"},
+                                                      {"solve_ns_med", "ns"},
+                                                      {"solve_ns_iqr", "ns"},
+                                                      {"step_ns_med", "ns"},
+                                                      {"r_inf_e", "m/s"},
+                                                      {"r_inf_n", "m/s"},
+                                                      {"r_inf_t", "m/s"},
+                                                      {"gap_J", "J"},
+                                                      {"pen_max", "m"},
+                                                      {"drift_max", "m"},
+                                                      {"stands_until", "s"},
+                                                      {"cost", "s/s"},
+                                                      {"work", "1/s"}};
+    List<TradeColumn> all;
+    for (const std::string& name : names) {
+      const auto unit = units.find(name);
+      all.push_back({name, unit != units.end() ? unit->second : ""});
+    }
+    return all;
+  }();
   return columns;
 }
 
@@ -100,6 +127,18 @@ const CsvCell& cell_in(const CsvTable& table, int row, std::string_view column) 
 
 }  // namespace
 
+CsvTable table_of(const std::string& csv, const std::string& name) {
+  std::istringstream in(csv);
+  return read_csv(in, name);
+}
+
+void require_columns(const CsvTable& table, const List<std::string>& header, const std::string& name,
+                     const std::string& rule) {
+  List<std::string> expected = {"task"};
+  expected.insert(expected.end(), header.begin(), header.end());
+  require(table.header == expected, name, "columns", rule, "others");
+}
+
 double number_in(const CsvTable& table, int row, std::string_view column) {
   const CsvCell& cell = cell_in(table, row, column);
   if (const auto* number = std::get_if<double>(&cell)) return *number;
@@ -110,6 +149,13 @@ double number_in(const CsvTable& table, int row, std::string_view column) {
 std::string text_in(const CsvTable& table, int row, std::string_view column) {
   const auto* text = std::get_if<std::string>(&cell_in(table, row, column));
   return text == nullptr ? "" : *text;
+}
+
+std::string shown_in(const CsvTable& table, int row, std::string_view column) {
+  const CsvCell& cell = cell_in(table, row, column);
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* whole = std::get_if<long long>(&cell)) return std::to_string(*whole);
+  return shortest(std::get<double>(cell));
 }
 
 }  // namespace cairn

@@ -1,4 +1,4 @@
-// Floor 10. The columns of every table about work and error.
+// Floor 9. The columns of every table about work and error.
 #pragma once
 
 #include <map>
@@ -32,9 +32,17 @@ class TradeRow {
   std::map<std::string, CsvCell, std::less<>> values_;
 };
 
+/// The table that a journal holds; `name` is for messages. @throws std::invalid_argument.
+CsvTable table_of(const std::string& csv, const std::string& name);
+/// @throws std::invalid_argument "name: columns must be rule, got others" unless the columns of a journal are
+/// those of the study: the task, and then these.
+void require_columns(const CsvTable& table, const List<std::string>& header, const std::string& name,
+                     const std::string& rule);
 /// A number of a table that was read back; NaN where the cell is empty or a word.
 double number_in(const CsvTable& table, int row, std::string_view column);
 /// A word of it; "" where there is none.
 std::string text_in(const CsvTable& table, int row, std::string_view column);
+/// A cell as text, whatever it holds.
+std::string shown_in(const CsvTable& table, int row, std::string_view column);
 
 }  // namespace cairn

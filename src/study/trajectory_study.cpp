@@ -1,10 +1,11 @@
-// Floor 10. Level 2 of the trade.
+// Floor 9. Level 2 of the trade.
 #include "study/trajectory_study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -22,7 +23,6 @@ namespace cairn {
 
 namespace {
 
-constexpr double start_jitter = 1e-6;  // [m]
 constexpr int survival_starts = 16;
 constexpr int agreeing_starts = 3;       // are enough, where they agree
 constexpr double sweeps_of_a_step = 10;  // take as long as all else of a substep
@@ -36,42 +36,37 @@ double quantile(List<double> values, double share) {
 
 /// All runs of one point of the grid.
 struct Runs {
-  List<double> errors = {}, costs = {}, work = {}, stands = {}, penetrations = {}, drifts = {}, gains = {};
-  List<double> losses = {}, steps = {}, updates = {};
-  List<double> ways = {};  // [m] TrialResult::farthest
-  int stood = 0;
+  List<TrialResult> results = {};
+  List<double> errors = {};
   std::string status = "ok";  // of the last run, which is the first that was not ok
-  std::uint64_t hash = 0;     // of the first start
+
+  /// The quantile of a number that each of them has.
+  template <typename Number>
+  double quantile(Number number, double share) const {
+    List<double> values;
+    for (const TrialResult& result : results)
+      values.push_back(static_cast<double>(std::invoke(number, result)));
+    return cairn::quantile(values, share);
+  }
 };
 
+double step_nanoseconds(const TrialResult& result) {
+  return result.steps > 0 ? 1e9 * result.step_seconds / result.steps : 0;
+}
+
 void add_run(const TrajectoryScene& scene, const TrialResult& result, double error, Runs& runs) {
-  if (runs.costs.empty()) runs.hash = result.state_hash;
   const bool failed = result.status != TrialStatus::ok;
   if (failed) runs.status = status_text(result.status);
   if (!failed && result.fell_at) runs.status = "fell";
   // Where a formula knows the motion, it says how wrong such a run is.
   if (runs.status == "ok" && !scene.watch && !result.failures.empty()) runs.status = "fails";
   runs.errors.push_back(failed || std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
-  runs.costs.push_back(result.cost());
-  runs.updates.push_back(static_cast<double>(result.row_updates));
-  runs.work.push_back(result.seconds > 0 ? static_cast<double>(result.row_updates) / result.seconds : 0);
-  runs.steps.push_back(result.steps > 0 ? 1e9 * result.step_seconds / result.steps : 0);
-  runs.stands.push_back(result.stands_until);
-  runs.ways.push_back(result.farthest);
-  runs.penetrations.push_back(result.worst_penetration);
-  runs.drifts.push_back(result.worst_drift);
-  runs.gains.push_back(result.energy_gain);
-  runs.losses.push_back(result.energy_loss);
-  runs.stood += scene.stand_distance > 0 && result.stands() ? 1 : 0;
+  runs.results.push_back(result);
 }
 
 /// The options under which one start runs, until it falls or is seen to be too slow.
-TrialOptions run_options(const TrajectoryScene& scene, const Setting& setting, bool& too_slow) {
-  // Thirty times a second, however short the steps: it costs as much as finding contacts.
-  const int every = std::max(1, static_cast<int>(std::lround(1 / (30 * setting.dt))));
-  TrialOptions options{.seconds = scene.seconds, .penetration_every = every};
-  if (scene.stand_distance > 0) options.stand_distance = scene.stand_distance;
-  options.places = scene.places;
+TrialOptions until_too_slow(const TrajectoryScene& scene, const Setting& setting, bool& too_slow) {
+  TrialOptions options = trial_options(scene, setting);
   const double with_steps = 1 + sweeps_of_a_step / setting.sweeps.iterations;
   options.gives_up = [&scene, &too_slow, with_steps](const TrialResult& so_far) {
     const double work = with_steps * static_cast<double>(so_far.row_updates);
@@ -83,9 +78,10 @@ TrialOptions run_options(const TrajectoryScene& scene, const Setting& setting, b
 
 /// The starts came to nearly the same places: none is likely to fall where these did not.
 bool starts_agree(const TrajectoryScene& scene, const Runs& runs) {
-  if (runs.ways.size() < agreeing_starts) return false;
-  const auto [least, most] = std::minmax_element(runs.ways.begin(), runs.ways.end());
-  return *most - *least <= agreement * scene.stand_distance;
+  if (runs.results.size() < agreeing_starts) return false;
+  const double least = runs.quantile(&TrialResult::farthest, 0),
+               most = runs.quantile(&TrialResult::farthest, 1);
+  return most - least <= agreement * scene.stand_distance;
 }
 
 Runs all_runs(const TrajectoryScene& scene, const Setting& setting) {
@@ -93,11 +89,10 @@ Runs all_runs(const TrajectoryScene& scene, const Setting& setting) {
   for (int start = 0; start < scene.starts && !starts_agree(scene, runs); ++start) {
     const std::unique_ptr<MotionError> error = scene.watch ? scene.watch() : nullptr;
     bool too_slow = false;
-    TrialOptions options = run_options(scene, setting, too_slow);
+    TrialOptions options = until_too_slow(scene, setting, too_slow);
     if (error) options.observer = [&error](const Snapshot& snapshot) { error->see(snapshot); };
-    const Scene made = scene.make();
-    const auto seed = static_cast<std::uint64_t>(start);
-    TrialResult result = run_trial(start == 0 ? made : jittered(made, start_jitter, seed), setting, options);
+    TrialResult result =
+        run_trial(nth_start(scene.make(), static_cast<std::uint64_t>(start)), setting, options);
     if (too_slow && result.status == TrialStatus::ok) result.status = TrialStatus::timeout;
     add_run(scene, result, error ? error->value() : 0, runs);
     if (runs.status != "ok") break;  // it is not to be used for the scene
@@ -144,18 +139,20 @@ List<CsvCell> trajectory_row(const TrajectoryScene& scene, const Setting& settin
   set_setting(scene.make(), setting, row);
   row.set("status", runs.status);
   if (runs.status == "refused") return row.cells();
-  row.set("starts", static_cast<long long>(runs.costs.size()));
-  row.set("cost", quantile(runs.costs, 0.5));
-  row.set("work", quantile(runs.work, 0.5));
-  row.set("row_updates", static_cast<long long>(quantile(runs.updates, 0.5)));
-  row.set("step_ns_med", quantile(runs.steps, 0.5));
-  row.set("pen_max", quantile(runs.penetrations, 1));
-  row.set("drift_max", quantile(runs.drifts, 1));
-  row.set("dE_max_gain", quantile(runs.gains, 1));
-  row.set("dE_final", -quantile(runs.losses, 0.5));
+  row.set("starts", static_cast<long long>(runs.results.size()));
+  row.set("cost", runs.quantile(&TrialResult::cost, 0.5));
+  row.set("work", runs.quantile(&TrialResult::work, 0.5));
+  row.set("row_updates", static_cast<long long>(runs.quantile(&TrialResult::row_updates, 0.5)));
+  row.set("step_ns_med", runs.quantile(step_nanoseconds, 0.5));
+  row.set("pen_max", runs.quantile(&TrialResult::worst_penetration, 1));
+  row.set("drift_max", runs.quantile(&TrialResult::worst_drift, 1));
+  row.set("dE_max_gain", runs.quantile(&TrialResult::energy_gain, 1));
+  row.set("dE_final", -runs.quantile(&TrialResult::energy_loss, 0.5));
   if (scene.stand_distance > 0) {
-    row.set("stands_until", quantile(runs.stands, 0.5));
-    row.set("survival", static_cast<double>(runs.stood) / static_cast<double>(runs.costs.size()));
+    const auto stood = std::count_if(runs.results.begin(), runs.results.end(),
+                                     [](const TrialResult& result) { return result.stands(); });
+    row.set("stands_until", runs.quantile(&TrialResult::stands_until, 0.5));
+    row.set("survival", static_cast<double>(stood) / static_cast<double>(runs.results.size()));
   }
   if (scene.watch) {
     row.set("err_name", scene.error_name);
@@ -164,7 +161,7 @@ List<CsvCell> trajectory_row(const TrajectoryScene& scene, const Setting& settin
     row.set("err_value", quantile(runs.errors, 0.5));
     row.set("err_p90", quantile(runs.errors, 0.9));
   }
-  row.set("state_hash", fmt::format("{:016x}", runs.hash));
+  row.set("state_hash", fmt::format("{:016x}", runs.results.front().state_hash));
   return row.cells();
 }
 
@@ -201,24 +198,27 @@ List<std::string> trajectory_names() {
   return names;
 }
 
-Study trajectory_study(const List<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
+TrialOptions trial_options(const TrajectoryScene& scene, const Setting& setting) {
+  const int every = std::max(1, static_cast<int>(std::lround(1 / (30 * setting.dt))));
+  TrialOptions options{.seconds = scene.seconds, .places = scene.places, .penetration_every = every};
+  if (scene.stand_distance > 0) options.stand_distance = scene.stand_distance;
+  return options;
+}
+
+SettingGrid trajectory_grid() {
+  return {.solvers = {"si", "accelerated", "newton", "box2d", "block"},
+          .frequencies = {30, 60, 120, 240, 480, 960},
+          .substeps = {1, 4, 16},
+          .sweeps = {1, 2, 4, 8, 16, 32, 64}};
+}
+
+Study trajectory_study(const List<TrajectoryScene>& scenes, const SettingGrid& grid) {
   Study study{.name = "cairn work against error 2:", .header = trade_header(), .tasks = {}};
   for (const TrajectoryScene& scene : scenes) {
     study.name += fmt::format(" {} {:x} x{}", scene.name, scene.fingerprint, scene.starts);
-    for (const std::string& solver : grid.solvers) {
-      for (const int frequency : grid.frequencies) {
-        for (const int substeps : grid.substeps) {
-          for (const int sweeps : grid.sweeps) {
-            Setting setting = grid.base;
-            setting.solver = solver;
-            setting.dt = 1.0 / frequency;
-            setting.substeps = substeps;
-            setting.sweeps.iterations = sweeps;
-            study.tasks.push_back({.name = scene.name + ", " + setting_text(setting),
-                                   .run = [scene, setting] { return trajectory_row(scene, setting); }});
-          }
-        }
-      }
+    for (const Setting& setting : settings_of(grid)) {
+      study.tasks.push_back({.name = scene.name + ", " + setting_text(setting),
+                             .run = [scene, setting] { return trajectory_row(scene, setting); }});
     }
   }
   study.name += ";";

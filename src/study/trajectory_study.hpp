@@ -1,10 +1,11 @@
-// Floor 10. Level 2 of the trade: whole runs, with formulas where there are any, and Box2D beside.
+// Floor 9. Level 2 of the trade: whole runs, with formulas where there are any, and Box2D beside.
 #pragma once
 
 #include <string>
 
 #include "study/answered_scenes.hpp"
 #include "study/journal.hpp"
+#include "study/setting_grid.hpp"
 #include "study/trial.hpp"
 #include "math/list.hpp"
 
@@ -32,14 +33,12 @@ struct TrajectoryScene {
 TrajectoryScene trajectory_scene(const std::string& name);
 /// The names of all of them.
 List<std::string> trajectory_names();
+/// How it runs: overlap is measured thirty times a second, however short the steps, as that costs as much as
+/// finding contacts.
+TrialOptions trial_options(const TrajectoryScene& scene, const Setting& setting);
 
-struct TrajectoryGrid {
-  List<std::string> solvers = {"si", "accelerated", "newton", "box2d", "block"};
-  List<int> frequencies = {30, 60, 120, 240, 480, 960};  // [Hz]
-  List<int> substeps = {1, 4, 16};
-  List<int> sweeps = {1, 2, 4, 8, 16, 32, 64};
-  Setting base = {};  // what the settings have in common: stabilization, search for contacts
-};
+/// Solvers, frequencies, substeps and sweeps that runs are compared over, unless others are asked for.
+SettingGrid trajectory_grid();
 
 /// Row updates for each second simulated beyond which a setting is not followed, counted with ten sweeps more
 /// for every substep: what that costs beside its sweeps. At some 15 ns each it is about half of real time.
@@ -51,6 +50,6 @@ inline constexpr double most_trajectory_work = 3e7;
 /// that comes to more than most_trajectory_work ("timeout"): its other numbers are of what was run. Where
 /// three starts came to the same places within a hundredth of stand_distance, a millionth of a metre does not
 /// decide whether the scene stands, and no further one is run. The column `starts` says how many there were.
-Study trajectory_study(const List<TrajectoryScene>& scenes, const TrajectoryGrid& grid);
+Study trajectory_study(const List<TrajectoryScene>& scenes, const SettingGrid& grid);
 
 }  // namespace cairn

@@ -1,4 +1,4 @@
-// Floor 10. Stepping, timing and measuring, in turns.
+// Floor 9. Stepping, timing and measuring, in turns.
 #include "study/trial.hpp"
 
 #include <algorithm>
@@ -28,12 +28,6 @@ void check_trial_options(const TrialOptions& options, double dt) {
   require(options.most_energy > 0, "run_trial", "most_energy", "> 0", options.most_energy);
   require(options.time_limit >= 0, "run_trial", "time_limit", ">= 0 s", options.time_limit);
   require(static_cast<bool>(options.clock), "run_trial", "clock", "a function", "none");
-}
-
-bool is_finite(const Snapshot& now) {
-  return std::all_of(now.bodies.begin(), now.bodies.end(), [](const SnapshotBody& body) {
-    return body.pose.position.allFinite() && std::isfinite(body.pose.angle) && body.velocity.allFinite();
-  });
 }
 
 double farthest_from_start(const Snapshot& start, const Snapshot& now) {
@@ -212,19 +206,14 @@ class Trial {
 }  // namespace
 
 std::string status_text(TrialStatus status) {
-  switch (status) {
-    case TrialStatus::ok:
-      return "ok";
-    case TrialStatus::diverged:
-      return "diverged";
-    case TrialStatus::nan:
-      return "nan";
-    case TrialStatus::refused:
-      return "refused";
-    case TrialStatus::timeout:
-      break;
-  }
-  return "timeout";
+  static const List<std::string> words = {"ok", "diverged", "nan", "refused", "timeout"};
+  return words[static_cast<int>(status)];
+}
+
+bool is_finite(const Snapshot& now) {
+  return std::all_of(now.bodies.begin(), now.bodies.end(), [](const SnapshotBody& body) {
+    return body.pose.position.allFinite() && std::isfinite(body.pose.angle) && body.velocity.allFinite();
+  });
 }
 
 double thread_cpu_seconds() {

@@ -1,4 +1,4 @@
-// Floor 10. One run of a scene under a setting: what it cost, and how good it was.
+// Floor 9. One run of a scene under a setting: what it cost, and how good it was.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,9 @@ std::string status_text(TrialStatus status);
 
 /// In which steps R_E is measured, which takes a second solve of each.
 enum class ResidualMeasure { off, last_step, every_step };
+
+/// Whether all poses and velocities are finite numbers.
+bool is_finite(const Snapshot& now);
 
 /// Seconds of processor time that this thread has used.
 double thread_cpu_seconds();
@@ -84,8 +87,8 @@ struct TrialResult {
   double energy_gain = 0;
   int unfinished_steps = 0;        // in which a solve ended far from its answer: StepReport::unfinished
   double unfinished_residual = 0;  // the largest R_E of these
-  double energy_loss = 0;  // of the scale: how far they are below it at the end; < 0: above it
-  double farthest = 0;     // [m] that a dynamic body's centre of mass was from its start, infinite for nan
+  double energy_loss = 0;          // of the scale: how far they are below it at the end; < 0: above it
+  double farthest = 0;  // [m] that a dynamic body's centre of mass was from its start, infinite for nan
   List<double> place_distances = {};  // [m] how far each body of TrialOptions::places is from its place
   /// [s] After the first step where the scene did not stand; none: it did; 0: it ended out of place.
   std::optional<double> fell_at = {};
@@ -100,6 +103,8 @@ struct TrialResult {
   bool stands() const { return status == TrialStatus::ok && !fell_at; }
   /// Of the clock for each second simulated; 0 before any.
   double cost() const { return seconds > 0 ? step_seconds / seconds : 0; }
+  /// [1/s] Row updates for each second simulated; 0 before any.
+  double work() const { return seconds > 0 ? static_cast<double>(row_updates) / seconds : 0; }
 };
 
 /// Steps the scene, by the setting in place of its own settings, until its time is over or something goes

@@ -1,11 +1,11 @@
-// Floor 10. Work against error: what more work buys, solver by solver.
+// Floor 9. Work against error: what more work buys, solver by solver.
 #pragma once
 
 #include <map>
 #include <string>
 
 #include "measure/csv.hpp"
-#include "frozen/frozen_problem.hpp"
+#include "study/frozen/frozen_problem.hpp"
 #include "study/journal.hpp"
 #include "study/solve_trial.hpp"
 #include "math/list.hpp"
@@ -56,5 +56,20 @@ struct WorkToError {
   std::string ending = {};        // the status after the most sweeps
 };
 List<WorkToError> work_to_errors(const CsvTable& table, const List<double>& residuals);
+
+/// Of one solver over a set of problems: its work over the least work of any solver, problem by problem.
+struct PerformanceProfile {
+  std::string solver = {};
+  List<double> ratios = {};  // >= 1, ascending, one for each problem; infinite where it failed
+
+  /// rho(tau): the share of the problems that it solves with at most `tau` times the work of the best. What
+  /// no solver solves counts as a problem too.
+  double share(double tau) const;
+};
+
+/// E. D. Dolan, J. J. More, "Benchmarking optimization software with performance profiles" (2002), for the
+/// error at `which` of those that work_to_errors() was asked for. A solver that has no entry for a problem
+/// failed there. In the order in which the solvers first appear.
+List<PerformanceProfile> performance_profiles(const List<WorkToError>& work, int which);
 
 }  // namespace cairn

@@ -25,10 +25,10 @@ inline std::function<double(double, double)> uniform_numbers(std::uint64_t seed)
 }
 
 /// Boxes of 1 m on the ground, one on the other, with these masses [kg] from the lowest up; `shift` [m] to
-/// the left and to the right in turn.
-inline Scene box_column(const List<double>& masses, double shift = 0) {
+/// the left and to the right in turn; the ground as wide to both sides as `half_width` [m].
+inline Scene box_column(const List<double>& masses, double shift = 0, double half_width = 50) {
   Scene scene;
-  scene.add_ground();
+  scene.add_ground({.half_width = half_width});
   for (int i = 0; i < masses.size(); ++i) {
     const double x = i % 2 == 0 ? -shift : shift;
     scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + static_cast<double>(i)}, .mass = masses[i]});

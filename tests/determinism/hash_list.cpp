@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "frozen/frozen_set.hpp"
+#include "study/frozen/frozen_set.hpp"
 #include "measure/fingerprint.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"

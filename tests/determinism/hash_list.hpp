@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "frozen/frozen_problem.hpp"
+#include "study/frozen/frozen_problem.hpp"
 #include "math/list.hpp"
 
 namespace cairn::determinism {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "determinism/hash_list.hpp"
-#include "frozen/frozen_set.hpp"
+#include "study/frozen/frozen_set.hpp"
 #include "math/list.hpp"
 
 using namespace cairn;

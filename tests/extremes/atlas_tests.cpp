@@ -1,17 +1,16 @@
 // The stability atlas: classes, cells whose end a formula knows, and the way through the journal.
-#include "extremes/atlas.hpp"
+#include "study/extremes/atlas.hpp"
 
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
-#include "extremes/atlas_maps.hpp"
 #include "math/list.hpp"
 #include "math/math.hpp"
 #include "scenes/solver_list.hpp"
+#include "scratch_folder.hpp"
 
 using namespace cairn;
 
@@ -152,9 +151,8 @@ TEST_CASE("every map has a panel of every solver, or of one that gives the same 
 
 TEST_CASE("cells come back from the journal in their places, and those that were not run say so") {
   const Study study = atlas_study(AtlasPart::quick);
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cairn_atlas_tests.csv";
-  std::filesystem::remove(file);
-  Journal journal(file, study);
+  const testing::ScratchFolder folder;
+  Journal journal(folder / "journal.csv", study);
   journal.write(1, study.tasks[1].run());  // the first panel's first x, second y
   const List<AtlasSheet> sheets = atlas_sheets(AtlasPart::quick, journal.csv());
   const AtlasMap& map = sheets.front().map;
@@ -165,7 +163,6 @@ TEST_CASE("cells come back from the journal in their places, and those that were
   CHECK(sheets.front().cell(0, 0, 0).ending == AtlasClass::not_run);
   CHECK(sheets.back().cells.back().ending == AtlasClass::not_run);
   CHECK_THROWS_AS(atlas_sheets(AtlasPart::quick, "task,a\n0,1\n"), std::invalid_argument);
-  std::filesystem::remove(file);
 }
 
 TEST_CASE("what a map says in words is what its cells say") {

@@ -2,14 +2,15 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <set>
 #include <string>
 
-#include "extremes/extreme.hpp"
-#include "extremes/extreme_axes.hpp"
-#include "extremes/extreme_study.hpp"
+#include "study/extremes/extreme.hpp"
+#include "study/extremes/extreme_axes.hpp"
 #include "math/list.hpp"
+#include "scratch_folder.hpp"
+#include "study/trade_row.hpp"
+#include "validation/case_scenes.hpp"
 
 using namespace cairn;
 
@@ -69,10 +70,7 @@ TEST_CASE("what must be bounded may be right, and nothing else may be what it wa
 }
 
 TEST_CASE("R_E tells why a run failed once what it leaves in every substep moves a body by half its size") {
-  Scene scene;
-  scene.add_ground();
-  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 1});
-  scene.add({.shapes = {box(1, 1)}, .position = {0, 1.5}, .mass = 99});
+  Scene scene = cases::box_column({1, 99});
   const Setting setting = setting_of("si", 10, StabilizationPolicy::relaxed, 4);
   const ExtremeRun run{.seconds = 3};
   const double asked = 10.0 / 240, fastest = asked * std::sqrt(100.0);
@@ -106,23 +104,22 @@ TEST_CASE("a refusal that names no rule, an error of another kind and a NaN are 
 
 TEST_CASE("rows come back from the journal as they were found, and from JSON's text no row is lost") {
   const Study study = extreme_study({.part = ExtremePart::quick, .axes = {"mass", "restitution"}});
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cairn_extremes_tests.csv";
-  std::filesystem::remove(file);
-  Journal journal(file, study);
+  const testing::ScratchFolder folder;
+  Journal journal(folder / "journal.csv", study);
   REQUIRE(run_study(study, {}, journal, [](int, int, double) { return true; }));
-  const List<ExtremeRow> rows = extreme_rows(journal.csv());
-  REQUIRE(rows.size() == study.tasks.size());
-  for (const ExtremeRow& row : rows) CHECK_MESSAGE(row.meets, row.axis, " ", row.value, " ", row.note);
-  CHECK(rows.front().axis == "restitution");
-  CHECK(rows.front().value == "0");
-  CHECK(rows.front().solver == "si x10");
-  CHECK(rows.front().policy == "relaxed");
-  CHECK(rows.front().verdict == "OK");
+  const CsvTable rows = extreme_table(journal.csv());
+  REQUIRE(rows.rows.size() == study.tasks.size());
+  for (int i = 0; i < rows.rows.size(); ++i)
+    CHECK_MESSAGE(number_in(rows, i, "meets") == 1, text_in(rows, i, "axis"), " ", text_in(rows, i, "note"));
+  CHECK(text_in(rows, 0, "axis") == "restitution");
+  CHECK(shown_in(rows, 0, "value") == "0");
+  CHECK(text_in(rows, 0, "solver") == "si x10");
+  CHECK(text_in(rows, 0, "policy") == "relaxed");
+  CHECK(text_in(rows, 0, "verdict") == "OK");
   const std::string json = extreme_json(rows);
   int objects = 0;
   for (std::size_t at = 0; (at = json.find("\"axis\"", at)) != std::string::npos; ++at) ++objects;
-  CHECK(objects == rows.size());
+  CHECK(objects == rows.rows.size());
   CHECK(json.find("\"build\"") != std::string::npos);
   CHECK_THROWS_AS(extreme_study({.axes = {"nothing"}}), std::invalid_argument);
-  std::filesystem::remove(file);
 }

@@ -6,9 +6,9 @@
 #include <map>
 #include <sstream>
 
-#include "frozen/frozen_set.hpp"
-#include "frozen_files.hpp"
+#include "study/frozen/frozen_set.hpp"
 #include "math/list.hpp"
+#include "scratch_folder.hpp"
 #include "solvers/iterative/sequential_impulse.hpp"
 #include "solvers/residual.hpp"
 
@@ -42,12 +42,11 @@ TEST_CASE("every problem of the frozen set can be read, and there are eleven") {
 }
 
 TEST_CASE("made anew, every problem of the frozen set has the bits of its file") {
-  const FrozenFolder folder("cairn_frozen_set_tests");
-  write_frozen_set(folder.path / "set");  // a folder that is not there
+  const ScratchFolder folder;
+  write_frozen_set(folder / "set");  // a folder that is not there
   for (const std::string& name : frozen_names()) {
     CAPTURE(name);
-    CHECK((text_of_file(folder.path / "set" / (name + ".json")) ==
-           text_of_file(frozen_folder / (name + ".json"))));
+    CHECK((folder.text("set/" + name + ".json") == text_of_file(frozen_folder / (name + ".json"))));
   }
   CHECK_THROWS_AS(make_frozen("stack11"), std::invalid_argument);
 }

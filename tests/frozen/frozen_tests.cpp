@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "../geometry/random_shapes.hpp"
-#include "frozen/frozen_set.hpp"
-#include "frozen_files.hpp"
+#include "study/frozen/frozen_set.hpp"
 #include "math/list.hpp"
+#include "scratch_folder.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -54,6 +54,12 @@ FrozenProblem all_kinds() {
   problem.extra_terms = {{{2}, {1, 2, 3}}, {{0}, {0.1, -0.0, 0.3}}, {{1}, {-1e-300, 0, 0}}};
   problem.blocks = {{0, 2}, {2, 0}, {2, 7}};
   return frozen;
+}
+
+std::string frozen_text(const FrozenProblem& frozen) {
+  std::ostringstream out;
+  write_frozen(out, frozen);
+  return out.str();
 }
 
 FrozenProblem thawed(const std::string& text) {
@@ -262,19 +268,18 @@ TEST_CASE("what could not be read is not written") {
 }
 
 TEST_CASE("a frozen file is whole or not there, and a missing one is named") {
-  const FrozenFolder folder("cairn_frozen_tests");
-  std::filesystem::create_directories(folder.path);
-  write_frozen_file(folder.path / "one.json", all_kinds());
-  write_frozen_file(folder.path / "one.json", all_kinds());
-  check_same(read_frozen_file(folder.path / "one.json").problem, all_kinds().problem);
-  CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
+  const ScratchFolder folder;
+  write_frozen_file(folder / "one.json", all_kinds());
+  write_frozen_file(folder / "one.json", all_kinds());
+  check_same(read_frozen_file(folder / "one.json").problem, all_kinds().problem);
+  CHECK(folder.names().size() == 1);
   FrozenProblem broken = all_kinds();
   broken.problem.dt = 0;
-  CHECK_THROWS_AS(write_frozen_file(folder.path / "two.json", broken), std::invalid_argument);
-  CHECK_FALSE(std::filesystem::exists(folder.path / "two.json"));
-  CHECK_THROWS_AS(write_frozen_file(folder.path / "one.json/two.json", all_kinds()), std::runtime_error);
-  CHECK_THROWS_AS(read_frozen_file(folder.path / "three.json"), std::runtime_error);
-  CHECK_THROWS_AS(read_frozen_file(folder.path), std::runtime_error);
-  REQUIRE(mkfifo((folder.path / "fifo.json").c_str(), 0600) == 0);  // nobody writes: to open it would block
-  CHECK_THROWS_AS(read_frozen_file(folder.path / "fifo.json"), std::runtime_error);
+  CHECK_THROWS_AS(write_frozen_file(folder / "two.json", broken), std::invalid_argument);
+  CHECK_FALSE(std::filesystem::exists(folder / "two.json"));
+  CHECK_THROWS_AS(write_frozen_file(folder / "one.json/two.json", all_kinds()), std::runtime_error);
+  CHECK_THROWS_AS(read_frozen_file(folder / "three.json"), std::runtime_error);
+  CHECK_THROWS_AS(read_frozen_file(folder.path()), std::runtime_error);
+  REQUIRE(mkfifo((folder / "fifo.json").c_str(), 0600) == 0);  // nobody writes: to open it would block
+  CHECK_THROWS_AS(read_frozen_file(folder / "fifo.json"), std::runtime_error);
 }

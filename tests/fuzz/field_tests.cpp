@@ -14,7 +14,7 @@
 #include "constraints/pulley_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
-#include "frozen/problem_check.hpp"
+#include "study/frozen/frozen_problem.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
 #include "scenes/solver_list.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <sstream>
 
-#include "frozen/frozen_problem.hpp"
+#include "study/frozen/frozen_problem.hpp"
 #include "fuzz/fuzz_words.hpp"
 #include "fuzz/random_world.hpp"
 #include "math/check.hpp"

@@ -108,37 +108,4 @@ Shot word_shot(const std::string& word) {
   return shot;
 }
 
-ScratchFolder::ScratchFolder() {
-  path_ = (fs::temp_directory_path() / "cairn-lesson-test-XXXXXX").string();
-  REQUIRE(mkdtemp(path_.data()) != nullptr);
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-List<std::string> ScratchFolder::names(const std::string& below) const {
-  List<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(fs::path(path_) / below, error)) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::string ScratchFolder::text(const std::string& file) const {
-  std::ifstream stream(fs::path(path_) / file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-void ScratchFolder::write(const std::string& file, const std::string& text) const {
-  const fs::path path = fs::path(path_) / file;
-  fs::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << text;
-}
-
 }  // namespace cairn::testing

@@ -6,6 +6,7 @@
 
 #include "lessons/lesson.hpp"
 #include "math/list.hpp"
+#include "scratch_folder.hpp"
 
 namespace cairn::testing {
 
@@ -24,8 +25,6 @@ Ran run_in_child(const std::function<void(Lesson&)>& lesson, const List<std::str
 /// Runs a program that was built beside the tests, or that has a path of its own.
 Ran run_program(const std::string& name, const List<std::string>& flags);
 
-class ScratchFolder;
-
 /// A copy of the driver, in the folder `below` of another: it has what comes with the programs, and of the
 /// lessons that were built only these beside it. Returns its path.
 std::string driver_apart(const ScratchFolder& folder, const std::string& below,
@@ -33,22 +32,5 @@ std::string driver_apart(const ScratchFolder& folder, const std::string& below,
 
 /// A shot that writes one word, with an alt text.
 Shot word_shot(const std::string& word);
-
-/// An empty folder that is gone when this is.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::string& path() const { return path_; }
-  /// The names in a folder below it ("" for itself), sorted.
-  List<std::string> names(const std::string& below = {}) const;
-  std::string text(const std::string& file) const;
-  void write(const std::string& file, const std::string& text) const;
-
- private:
-  std::string path_;
-};
 
 }  // namespace cairn::testing

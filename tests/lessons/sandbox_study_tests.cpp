@@ -29,11 +29,7 @@ using Flags = List<std::string>;
 Ran study_in(const ScratchFolder& folder, const std::string& scene, const Flags& flags) {
   Flags words = {"tradeoff", scene, "--quick", "--out", folder.path()};
   words.insert(words.end(), flags.begin(), flags.end());
-  return run_program("cairn", words);
-}
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return run_cairn(words);
 }
 
 void check_same(const ScratchFolder& a, const ScratchFolder& b, const std::string& name) {
@@ -64,7 +60,7 @@ TEST_CASE("two runs of a study leave the same bytes, and a third has nothing lef
   const std::string journal = first.text("stack10.journal");
   const Ran again = study_in(first, "stack10", {"--solvers", "si,pgs"});
   CHECK(again.code == 0);
-  CHECK(mentions(again.out, "52 of them were tried before"));  // 2 solvers, 2 starts, 13 numbers of sweeps
+  CHECK(text_has(again.out, "52 of them were tried before"));  // 2 solvers, 2 starts, 13 numbers of sweeps
   CHECK(first.text("stack10.journal") == journal);
   check_same(first, second, "stack10");
 }
@@ -111,8 +107,8 @@ TEST_CASE("the parts of a study merge to the bytes of the whole, and one part al
   }
   const Ran alone = study_in(merged, "chain20x100", {"--solvers", "si", "--merge", journals[1]});
   CHECK(alone.code == 1);
-  CHECK(mentions(alone.err, "--merge must be all parts"));
-  CHECK(mentions(alone.err, "got 9 of 26"));
+  CHECK(text_has(alone.err, "--merge must be all parts"));
+  CHECK(text_has(alone.err, "got 9 of 26"));
   CHECK(merged.names() == Flags{"chain20x100.journal"});
   const std::string both = journals[2] + "," + journals[0];
   CHECK(study_in(merged, "chain20x100", {"--solvers", "si", "--merge", both}).code == 0);
@@ -127,7 +123,7 @@ TEST_CASE("the journal of another grid, and a file that is none, are refused and
   const Ran other = study_in(folder, "ratio100", {"--solvers", "pgs"});
   CHECK(other.code == 2);
   CHECK(lines_in(other.err) == 1);
-  CHECK(mentions(other.err, "name another folder, or delete the journal"));
+  CHECK(text_has(other.err, "name another folder, or delete the journal"));
   CHECK(folder.text("ratio100.journal") == before);
   folder.write("stack10.journal", "notes without a line break");
   CHECK(study_in(folder, "stack10", {"--solvers", "si"}).code == 2);
@@ -164,7 +160,7 @@ TEST_CASE("output that a full disk does not take ends with three") {
     CAPTURE(command);
     const Ran ran = run_program("/bin/sh", {"-c", CAIRN_BIN_DIR "/" + command + " > /dev/full"});
     CHECK(ran.code == 3);
-    CHECK(mentions(ran.err, "the output cannot be written"));
+    CHECK(text_has(ran.err, "the output cannot be written"));
   }
 }
 
@@ -181,9 +177,9 @@ TEST_CASE("the journal of another build is neither taken up nor merged") {
         study_in(merged, "ratio100", {"--solvers", "si", "--merge", folder.path() + "/ratio100.journal"})}) {
     CHECK(ran.code == 2);
     CHECK(lines_in(ran.err) == 1);
-    CHECK(mentions(ran.err, "ratio100.journal: build must be cairn "));
-    CHECK(mentions(ran.err, ", got cairn "));
-    CHECK(mentions(ran.err, " of commit another"));
+    CHECK(text_has(ran.err, "ratio100.journal: build must be cairn "));
+    CHECK(text_has(ran.err, ", got cairn "));
+    CHECK(text_has(ran.err, " of commit another"));
   }
   CHECK(folder.text("ratio100.journal") == journal);
 }
@@ -194,8 +190,8 @@ TEST_CASE("solvers that never arrive say in the table how they end") {
   CHECK(ran.code == 0);
   const std::size_t line = ran.out.find("si ");
   REQUIRE(line != std::string::npos);
-  CHECK(mentions(ran.out.substr(line, ran.out.find('\n', line) - line), "cycle"));
-  CHECK(mentions(folder.text("painleve_rod.csv"), ",cycle,"));
+  CHECK(text_has(ran.out.substr(line, ran.out.find('\n', line) - line), "cycle"));
+  CHECK(text_has(folder.text("painleve_rod.csv"), ",cycle,"));
 }
 
 TEST_CASE("tables for people stay within 110 columns") {
@@ -216,7 +212,7 @@ TEST_CASE("all frozen problems together give a profile, where a solver alone is 
                                         "--out", folder.path()});
   CHECK(ran.code == 0);
   CHECK(folder.names() == Flags{"level1.csv", "level1.journal", "level1.json", "profile.png"});
-  CHECK(mentions(ran.out, "share of 11 problems"));
+  CHECK(text_has(ran.out, "share of 11 problems"));
   std::istringstream lines(ran.out);
   int solved = 0;
   std::string last;
@@ -251,7 +247,7 @@ TEST_CASE("the map of settings: the page prints what the kept table says, and a 
   std::ostringstream text;
   text << page.rdbuf();
   CHECK(told.out.size() > 1000);
-  CHECK(mentions(text.str(), told.out));
+  CHECK(text_has(text.str(), told.out));
   CHECK(folder.text("level3.csv") == folder.text("kept.csv"));
 }
 
@@ -259,7 +255,7 @@ TEST_CASE("level 3 refuses what it does not know, and --table stands alone") {
   const auto refused = [](const Flags& flags) {
     Flags words = {"tradeoff", "--all"};
     words.insert(words.end(), flags.begin(), flags.end());
-    return run_program("cairn", words).code;
+    return run_cairn(words).code;
   };
   CHECK(refused({"--level", "3", "--quick"}) == 2);
   CHECK(refused({"--level", "1", "--table", "x.csv"}) == 2);

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "child_lesson.hpp"
 #include "math/list.hpp"
+#include "sandbox_program.hpp"
 
 using namespace cairn::testing;
 using cairn::List;
@@ -15,17 +15,13 @@ namespace {
 
 using Words = List<std::string>;
 
-Ran cairn_with(const Words& words) { return run_program("cairn", words); }
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 struct BadInput {
   Words words = {};
   Words parts = {};  // of the one line that it gets: who refuses, the rule, the value
 };
 
 void check_refused(const BadInput& bad) {
-  const Ran ran = cairn_with(bad.words);
+  const Ran ran = run_cairn(bad.words);
   std::string line = "cairn";
   for (const std::string& word : bad.words) line += " " + word;
   CAPTURE(line);
@@ -36,27 +32,27 @@ void check_refused(const BadInput& bad) {
   CHECK(ran.err.rfind("cairn", 0) == 0);
   for (const std::string& part : bad.parts) {
     CAPTURE(part);
-    CHECK(holds(ran.err, part));
+    CHECK(text_has(ran.err, part));
   }
 }
 
 }  // namespace
 
 TEST_CASE("cairn and each of its verbs explain themselves") {
-  const Ran all = cairn_with({"--help"});
+  const Ran all = run_cairn({"--help"});
   CHECK(all.code == 0);
   for (const std::string verb : {"freeze", "tradeoff", "tune", "validate"}) {
     CAPTURE(verb);
-    CHECK(holds(all.out, "cairn " + verb));
-    const Ran help = cairn_with({verb, "--help"});
+    CHECK(text_has(all.out, "cairn " + verb));
+    const Ran help = run_cairn({verb, "--help"});
     CHECK(help.code == 0);
     CHECK(help.err.empty());
     CHECK(help.out.rfind("cairn " + verb, 0) == 0);
-    CHECK(holds(help.out, "--json"));
-    CHECK(holds(help.out, "For example"));
+    CHECK(text_has(help.out, "--json"));
+    CHECK(text_has(help.out, "For example"));
   }
-  CHECK(cairn_with({}).code == 2);
-  CHECK(cairn_with({"--version"}).out.rfind("cairn ", 0) == 0);
+  CHECK(run_cairn({}).code == 2);
+  CHECK(run_cairn({"--version"}).out.rfind("cairn ", 0) == 0);
 }
 
 TEST_CASE("words that no verb knows are refused in one line that helps") {
@@ -130,25 +126,25 @@ TEST_CASE("a study that cannot be done is refused before anything is written") {
 }
 
 TEST_CASE("what can be asked for is listed, for people and for programs") {
-  const Ran scenes = cairn_with({"tradeoff", "--list"});
+  const Ran scenes = run_cairn({"tradeoff", "--list"});
   CHECK(scenes.code == 0);
-  const auto lists = nlohmann::json::parse(cairn_with({"tradeoff", "--list", "--json"}).out);
+  const auto lists = nlohmann::json::parse(run_cairn({"tradeoff", "--list", "--json"}).out);
   for (const char* level : {"level1", "level2"}) {
     REQUIRE(lists.at(level).size() > 0);
-    for (const std::string name : lists.at(level)) CHECK(holds(scenes.out, name));
+    for (const std::string name : lists.at(level)) CHECK(text_has(scenes.out, name));
   }
-  const auto problems = nlohmann::json::parse(cairn_with({"freeze", "--list", "--json"}).out);
+  const auto problems = nlohmann::json::parse(run_cairn({"freeze", "--list", "--json"}).out);
   CHECK(std::count(problems.begin(), problems.end(), "stack10") == 1);
-  const auto cases = nlohmann::json::parse(cairn_with({"validate", "--list", "--json"}).out);
+  const auto cases = nlohmann::json::parse(run_cairn({"validate", "--list", "--json"}).out);
   CHECK(cases.size() >= 50);
 }
 
 TEST_CASE("a frozen problem is the same on stdout, in a file, and when it is frozen again") {
   const ScratchFolder folder;
   const std::string path = folder.path() + "/p.json";
-  CHECK(cairn_with({"freeze", "--step", "2", "--out", path, "stack"}).code == 0);  // flags may stand first
+  CHECK(run_cairn({"freeze", "--step", "2", "--out", path, "stack"}).code == 0);  // flags may stand first
   const std::string first = folder.text("p.json");
-  const Ran streamed = cairn_with({"freeze", "stack", "--step", "2", "--json"});
+  const Ran streamed = run_cairn({"freeze", "stack", "--step", "2", "--json"});
   CHECK(streamed.code == 0);
   CHECK(streamed.err.empty());
   CHECK(streamed.out == first);
@@ -171,9 +167,8 @@ TEST_CASE("flags that contradict each other, or mean nothing alone, are refused"
            {{"extremes", "--shard", "1/2", "--merge", "x"}, {"--merge means nothing beside --shard"}}}) {
     check_refused(bad);
   }
-  CHECK(
-      cairn_with({"compare", "stack", "--solvers", "si,si:5", "--sweeps", "20", "--seconds", "0.1s"}).code ==
-      0);
+  CHECK(run_cairn({"compare", "stack", "--solvers", "si,si:5", "--sweeps", "20", "--seconds", "0.1s"}).code ==
+        0);
 }
 
 TEST_CASE("a run in which nothing would happen is refused") {
@@ -202,36 +197,36 @@ TEST_CASE("a place that cannot be written ends with three, and leaves nothing ha
                         {"tradeoff", "stack10", "--quick", "--solvers", "si", "--out", "/dev/null/x"},
                         {"tradeoff", "stack10", "--quick", "--solvers", "si", "--out", folder.path()}};
   for (const Words& words : ways) {
-    const Ran ran = cairn_with(words);
+    const Ran ran = run_cairn(words);
     CAPTURE(words.back());
     CHECK(ran.code == 3);
-    CHECK(holds(ran.err, "cairn: "));
-    CHECK(holds(ran.err, words.back() == folder.path() ? "stack10.csv" : words.back()));
+    CHECK(text_has(ran.err, "cairn: "));
+    CHECK(text_has(ran.err, words.back() == folder.path() ? "stack10.csv" : words.back()));
   }
   // A folder that is missing is made.
-  CHECK(cairn_with({"freeze", "stack", "--step", "0", "--out", folder.path() + "/a/b/p.json"}).code == 0);
+  CHECK(run_cairn({"freeze", "stack", "--step", "0", "--out", folder.path() + "/a/b/p.json"}).code == 0);
   CHECK(folder.names("a/b") == Words{"p.json"});
   // What was found is kept, and nothing else is.
   CHECK(folder.names() == Words{"a", "p.json", "stack10.csv", "stack10.journal"});
 }
 
 TEST_CASE("validate compares what is asked for, and says the same to people and to programs") {
-  const Ran people = cairn_with({"validate", "--only", "A3,A2"});
+  const Ran people = run_cairn({"validate", "--only", "A3,A2"});
   CHECK(people.code == 0);
-  CHECK(holds(people.out, "2 of 2 closed forms hold"));
-  const Ran programs = cairn_with({"validate", "--only", "A3,A2", "--json"});
+  CHECK(text_has(people.out, "2 of 2 closed forms hold"));
+  const Ran programs = run_cairn({"validate", "--only", "A3,A2", "--json"});
   CHECK(programs.code == 0);
-  CHECK(holds(programs.err, "2 of 2 closed forms hold"));
+  CHECK(text_has(programs.err, "2 of 2 closed forms hold"));
   const auto json = nlohmann::json::parse(programs.out);
   CHECK(json.at("build").at("version").is_string());
   const auto& cases = json.at("cases");
   REQUIRE(cases.size() == 2);
   for (const auto& one : cases) {
     CHECK(one.at("passes") == true);
-    CHECK(holds(people.out, one.at("id").get<std::string>()));
+    CHECK(text_has(people.out, one.at("id").get<std::string>()));
     for (const auto& number : one.at("numbers")) {
       CHECK(number.at("error").get<double>() <= number.at("tolerance").get<double>());
-      CHECK(holds(people.out, number.at("formula").get<std::string>()));
+      CHECK(text_has(people.out, number.at("formula").get<std::string>()));
     }
   }
 }
@@ -241,16 +236,16 @@ TEST_CASE("quiet drops the narration, plain keeps to ASCII, and colours come whe
   const auto with = [&](const Words& flags) {
     Words all = words;
     all.insert(all.end(), flags.begin(), flags.end());
-    return cairn_with(all);
+    return run_cairn(all);
   };
-  CHECK_FALSE(holds(with({}).out, "\x1b"));
-  CHECK(holds(with({"--color", "always"}).out, "\x1b[32mok"));
-  CHECK_FALSE(holds(with({"--color", "always", "--plain"}).out, "\x1b"));
-  CHECK(holds(with({}).out, " ms"));  // what was said to people, with the time it took
-  CHECK_FALSE(holds(with({"--quiet"}).out, " ms"));
-  CHECK(holds(with({"--quiet"}).out, "closed form"));  // the answer stays
+  CHECK_FALSE(text_has(with({}).out, "\x1b"));
+  CHECK(text_has(with({"--color", "always"}).out, "\x1b[32mok"));
+  CHECK_FALSE(text_has(with({"--color", "always", "--plain"}).out, "\x1b"));
+  CHECK(text_has(with({}).out, " ms"));  // what was said to people, with the time it took
+  CHECK_FALSE(text_has(with({"--quiet"}).out, " ms"));
+  CHECK(text_has(with({"--quiet"}).out, "closed form"));  // the answer stays
   CHECK(with({"--quiet", "--json"}).err.empty());
-  const std::string plain = cairn_with({"validate", "--list", "--plain"}).out;
+  const std::string plain = run_cairn({"validate", "--list", "--plain"}).out;
   CHECK(std::all_of(plain.begin(), plain.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }));
 }
 
@@ -260,7 +255,7 @@ TEST_CASE("tune ends with zero and a setting, or with one when nothing meets the
   Words easy = words, hopeless = words;
   easy.insert(easy.end(), {"--drift", "1m"});
   hopeless.insert(hopeless.end(), {"--drift", "1e-30m", "--time", "50ms"});
-  const Ran found = cairn_with(easy);
+  const Ran found = run_cairn(easy);
   CHECK(found.code == 0);
   const auto answer = nlohmann::json::parse(found.out);
   CHECK(answer.at("scene") == "double-pendulum");
@@ -269,7 +264,7 @@ TEST_CASE("tune ends with zero and a setting, or with one when nothing meets the
   for (const auto& next : answer.at("runners_up")) {
     CHECK(next.at("cost_s_per_s").get<double>() >= answer.at("best").at("cost_s_per_s").get<double>());
   }
-  const Ran none = cairn_with(hopeless);
+  const Ran none = run_cairn(hopeless);
   CHECK(none.code == 1);
   CHECK(nlohmann::json::parse(none.out).at("best").is_null());
 }

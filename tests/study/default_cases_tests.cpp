@@ -11,6 +11,7 @@
 #include "scenes/scene_file.hpp"
 #include "scenes/simulation.hpp"
 #include "study/expectation.hpp"
+#include "validation/case_scenes.hpp"
 
 using namespace cairn;
 
@@ -34,11 +35,7 @@ Scene sunken_boxes(int count) {
 /// A pyramid and a ball that falls on its middle: its own mirror image.
 Scene mirrored_scene() {
   Scene scene;
-  scene.add_ground({.half_width = 20});
-  for (int level = 0; level < 4; ++level) {
-    for (int i = 0; i < 4 - level; ++i)
-      scene.add({.shapes = {box(1, 1)}, .position = {1.1 * (i - (3 - level) / 2.0), 0.5 + level}});
-  }
+  cases::add_pyramid(scene, 4);
   scene.add({.shapes = {circle(0.3)}, .position = {0, 7}});
   return scene;
 }

@@ -3,34 +3,19 @@
 
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "scratch_folder.hpp"
 #include "study/build_info.hpp"
 
 using namespace cairn;
+using cairn::testing::ScratchFolder;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own for each test, gone afterwards.
-struct JournalFolder {
-  JournalFolder() : path(fs::temp_directory_path() / ("cairn_journal_" + std::to_string(::getpid()))) {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~JournalFolder() { fs::remove_all(path); }
-  fs::path path;
-};
-
-std::string journal_text(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Task k answers k^2, in digits and in a word with a comma; `runs` counts the tasks that were done.
 Study squares(int count, int& runs) {
@@ -50,10 +35,10 @@ const StudyProgress to_the_end = [](int, int, double) { return true; };
 }  // namespace
 
 TEST_CASE("a study that was stopped goes on where it was, whatever was cut off") {
-  const JournalFolder folder;
+  const ScratchFolder folder;
   int runs = 0;
   const Study study = squares(7, runs);
-  const fs::path whole = folder.path / "whole.csv", cut = folder.path / "cut.csv";
+  const fs::path whole = folder / "whole.csv", cut = folder / "cut.csv";
   Journal at_once(whole, study);
   REQUIRE(run_study(study, {}, at_once, to_the_end));
   CHECK(runs == 7);
@@ -70,24 +55,24 @@ TEST_CASE("a study that was stopped goes on where it was, whatever was cut off")
   REQUIRE(run_study(study, {}, second, to_the_end));
   CHECK(runs == 4);
   CHECK(second.csv() == at_once.csv());
-  CHECK(journal_text(cut) == journal_text(whole));
+  CHECK(folder.text("cut.csv") == folder.text("whole.csv"));
 }
 
 TEST_CASE("shards do every task once, and merge to the same bytes in any order") {
-  const JournalFolder folder;
+  const ScratchFolder folder;
   int runs = 0;
   const Study study = squares(11, runs);
-  Journal at_once(folder.path / "whole.csv", study);
+  Journal at_once(folder / "whole.csv", study);
   REQUIRE(run_study(study, {}, at_once, to_the_end));
   runs = 0;
   for (int k = 1; k <= 3; ++k) {
-    Journal part(folder.path / ("part" + std::to_string(k)), study);
+    Journal part(folder / ("part" + std::to_string(k)), study);
     REQUIRE(run_study(study, {.number = k, .of = 3}, part, to_the_end));
   }
   CHECK(runs == 11);
   for (const std::string order : {"123", "312", "231"}) {
-    Journal merged(folder.path / ("merged" + order), study);
-    for (const char k : order) merged.absorb(folder.path / (std::string("part") + k));
+    Journal merged(folder / ("merged" + order), study);
+    for (const char k : order) merged.absorb(folder / (std::string("part") + k));
     CHECK(merged.csv() == at_once.csv());
   }
   std::istringstream text(at_once.csv());
@@ -99,14 +84,14 @@ TEST_CASE("shards do every task once, and merge to the same bytes in any order")
 }
 
 TEST_CASE("the journal of another study is left alone, and a wrong share is refused") {
-  const JournalFolder folder;
+  const ScratchFolder folder;
   int runs = 0;
   Study study = squares(2, runs);
-  const fs::path path = folder.path / "journal.csv";
+  const fs::path path = folder / "journal.csv";
   std::ofstream(path) << "my diary\n";
   CHECK_THROWS_WITH_AS(Journal(path, study), doctest::Contains("of the study \"squares\""),
                        std::invalid_argument);
-  CHECK(journal_text(path) == "my diary\n");
+  CHECK(folder.text("journal.csv") == "my diary\n");
   std::ofstream(path, std::ios::trunc) << "# squares\n# cairn 0.0.1\ntask,square,word,half\n";
   CHECK_THROWS_WITH_AS(Journal(path, study),
                        (path.string() + ": build must be " + build_text() + ", got cairn 0.0.1").c_str(),

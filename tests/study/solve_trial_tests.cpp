@@ -18,23 +18,8 @@ constexpr SolveTiming untimed{.repetitions = 0, .seconds = 0};
 /// Two boxes of 1 and M kg on each other, normals only, `fall` m/s into the ground: row 0 from the ground,
 /// row 1 between them. A = [[1, -1], [-1, 1 + 1/M]] (1/kg), w = A lambda + v_free rows (-fall, 0).
 VelocityProblem<double> two_boxes(double heavy, double fall) {
-  const auto normal = [](int a, int b) {
-    ConstraintRow<double> row;
-    row.a = {a};
-    row.b = {b};
-    if (a > 0) row.jacobian_a = {0, -1, 0};
-    row.jacobian_b = {0, 1, 0};
-    row.bounds = Bounds<double>::unilateral();
-    row.key.part = static_cast<std::uint64_t>(b);
-    return row;
-  };
-  VelocityProblem<double> problem;
-  problem.rows = {normal(0, 1), normal(1, 2)};
-  problem.blocks = {{0, 1}, {1, 1}};
-  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 1), Vec3<double>(1, 1, 1) / heavy};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(0, -fall, 0), Vec3<double>(0, -fall, 0)};
-  problem.impulse = {0, 0};
-  problem.dt = 0.01;
+  VelocityProblem<double> problem = cases::column<double>({1, heavy});
+  for (const BodyId box : {BodyId{1}, BodyId{2}}) problem.velocity[box] = {0, -fall, 0};
   return problem;
 }
 

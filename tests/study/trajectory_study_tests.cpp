@@ -10,19 +10,20 @@
 #include "constraints/revolute_joint.hpp"
 #include "scenes/scene_list.hpp"
 #include "study/trade_row.hpp"
+#include "validation/case_scenes.hpp"
 
 using namespace cairn;
 
 namespace {
 
-CsvTable rows_of(const List<TrajectoryScene>& scenes, const TrajectoryGrid& grid) {
+CsvTable rows_of(const List<TrajectoryScene>& scenes, const SettingGrid& grid) {
   const Study study = trajectory_study(scenes, grid);
   CsvTable table{.header = study.header, .rows = {}};
   for (const StudyTask& task : study.tasks) table.rows.push_back(task.run());
   return table;
 }
 
-TrajectoryGrid one_setting(const std::string& solver) {
+SettingGrid one_setting(const std::string& solver) {
   return {.solvers = {solver}, .frequencies = {60}, .substeps = {1}, .sweeps = {8}};
 }
 
@@ -85,7 +86,7 @@ TEST_CASE("a study of runs does not count bodies that were removed from its scen
 }
 
 TEST_CASE("a study of runs has a row for every point of its grid, of the right steps and sweeps") {
-  const TrajectoryGrid grid{
+  const SettingGrid grid{
       .solvers = {"si", "block"}, .frequencies = {30, 60}, .substeps = {1, 4}, .sweeps = {1, 8}};
   const CsvTable table = rows_of({free_disc(1, 0.25)}, grid);
   REQUIRE(table.rows.size() == 16);
@@ -111,7 +112,7 @@ TEST_CASE("the work of a run is counted: rows times sweeps, for every substep of
   // pendulum.
   TrajectoryScene scene = trajectory_scene("pendulum-45");
   scene.seconds = 1;
-  TrajectoryGrid grid = one_setting("si");
+  SettingGrid grid = one_setting("si");
   grid.substeps = {4};
   const CsvTable table = rows_of({scene}, grid);
   CHECK(number_in(table, 0, "work") == doctest::Approx(2 * 2 * 8 * 60 * 4).epsilon(1e-12));
@@ -176,14 +177,9 @@ TEST_CASE("a setting with more work than real time allows is given up, and says 
   // A tower of 100 boxes has 400 rows: solved twice, 2 x 400 x 64 x 960 x 16 are 8e8 updates a second.
   TrajectoryScene tower = free_disc(0, 0);
   tower.watch = nullptr;
-  tower.make = [] {
-    Scene scene;
-    scene.add_ground({.half_width = 8});
-    for (int i = 0; i < 100; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}});
-    return scene;
-  };
+  tower.make = [] { return cases::box_column(List<double>(100, 1.0)); };
   tower.seconds = 0.05;
-  TrajectoryGrid grid = one_setting("si");
+  SettingGrid grid = one_setting("si");
   grid.frequencies = {960};
   grid.substeps = {16};
   grid.sweeps = {64};
@@ -217,13 +213,13 @@ TEST_CASE("two studies of runs give the same answers, but for their times") {
 TEST_CASE("the name of a study of runs tells every grid and every number of starts from every other") {
   const TrajectoryScene stack = trajectory_scene("stack");
   const std::string usual = trajectory_study({stack}, one_setting("si")).name;
-  List<TrajectoryGrid> others(5, one_setting("si"));
+  List<SettingGrid> others(5, one_setting("si"));
   others[0].solvers = {"block"};
   others[1].frequencies = {120};
   others[2].substeps = {2};
   others[3].sweeps = {16};
   others[4].base.contact_search = ContactSearch::when_moved;
-  for (const TrajectoryGrid& other : others) CHECK(trajectory_study({stack}, other).name != usual);
+  for (const SettingGrid& other : others) CHECK(trajectory_study({stack}, other).name != usual);
   TrajectoryScene twice = stack;
   twice.starts = 2;
   CHECK(trajectory_study({twice}, one_setting("si")).name != usual);

@@ -5,8 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "tuning/map_study.hpp"
-#include "tuning/map_table.hpp"
+#include "study/tuning/map_study.hpp"
 
 using namespace cairn;
 

@@ -1,11 +1,11 @@
 // Recommended settings: what the file says comes from runs, and is what they say today.
-#include "tuning/recommend.hpp"
+#include "study/tuning/recommend.hpp"
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
+
+#include "scratch_folder.hpp"
 
 using namespace cairn;
 
@@ -43,17 +43,16 @@ TEST_CASE("there is a recommendation for every kind, and none of its runs gains 
 }
 
 TEST_CASE("the file knows every setting and every run of today") {
-  List<Recommendation> known = shipped();
-  int runs = 0;
-  const bool complete = renew_recommendations(
-      known, [](const List<Recommendation>&) {},
-      [&runs](int, int) {
-        ++runs;
-        return false;
-      });
-  CHECK(complete);
-  CHECK(runs == 0);
-  CHECK(recommendations_json(known) == recommendations_json(shipped()));
+  for (const Recommendation& of_kind : shipped()) {
+    const List<RecommendRun>& runs = recommend_kind(of_kind.kind).runs;
+    REQUIRE(of_kind.candidates.size() == recommend_settings().size());
+    for (int k = 0; k < of_kind.candidates.size(); ++k) {
+      const RecommendCandidate& candidate = of_kind.candidates[k];
+      CHECK(candidate.setting == setting_text(recommend_settings()[k]));
+      CHECK((candidate.findings.size() == runs.size() || candidate.misses()));
+      for (int i = 0; i < candidate.findings.size(); ++i) CHECK(candidate.findings[i].run == runs[i].name);
+    }
+  }
 }
 
 TEST_CASE("the quick run of each kind still gives the numbers that its recommendation rests on") {
@@ -91,31 +90,29 @@ TEST_CASE("the cheapest setting that misses nothing is recommended") {
 }
 
 TEST_CASE("what is no file of recommendations is refused by its name, and an unknown kind by the nearest") {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cairn_recommend_tests.json";
-  std::ofstream(file) << "[{\"kind\": 3}]";
-  CHECK_THROWS_AS(read_recommendations(file), std::invalid_argument);
-  std::filesystem::remove(file);
-  CHECK_THROWS_AS(read_recommendations(file), std::runtime_error);
+  const testing::ScratchFolder folder;
+  folder.write("wrong.json", "[{\"kind\": 3}]");
+  CHECK_THROWS_AS(read_recommendations(folder / "wrong.json"), std::invalid_argument);
+  CHECK_THROWS_AS(read_recommendations(folder / "none.json"), std::runtime_error);
   CHECK_THROWS_WITH_AS(recommend_kind("stak"), "recommend: kind must be a known name (stack?), got stak",
                        std::invalid_argument);
 }
 
-TEST_CASE("a renewal goes on from what an earlier one of this build has left, and from nothing else") {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cairn_unfinished_tests.json";
-  std::filesystem::remove(file);
-  CHECK(unfinished_recommendations(file).empty());
-  const List<Recommendation> known = {{.kind = "stack", .candidates = {made_up("cheap", 2, "")}}};
-  const std::string whole = recommendations_json(known);
-  std::ofstream(file) << whole;
-  CHECK(recommendations_json(unfinished_recommendations(file)) == whole);
-  std::string other = whole;
-  other.replace(other.find("\"version\": \""), 12, "\"version\": \"9");
-  for (const std::string& text :
-       {other, whole.substr(0, whole.size() / 2), std::string("{}"), std::string()}) {
-    CAPTURE(text);
-    std::ofstream(file) << text;
-    CHECK_THROWS_WITH_AS(unfinished_recommendations(file), doctest::Contains(file.c_str()),
-                         std::invalid_argument);
+TEST_CASE("a renewal tries each setting for each kind, and its journal gives back what was found") {
+  const Study study = recommend_study();
+  REQUIRE(study.tasks.size() == recommend_kinds().size() * recommend_settings().size());
+  const testing::ScratchFolder folder;
+  Journal journal(folder / "journal.csv", study);
+  journal.write(1, study.tasks[1].run());
+  const List<Recommendation> found = recommendations_of(journal.csv());
+  REQUIRE(found.size() == 1);
+  REQUIRE(found[0].candidates.size() == 1);
+  const RecommendCandidate &now = found[0].candidates[0], &said = shipped()[0].candidates[1];
+  CHECK(now.setting == said.setting);
+  REQUIRE(now.findings.size() == said.findings.size());
+  for (int i = 0; i < now.findings.size(); ++i) {
+    CHECK(now.findings[i].missed == said.findings[i].missed);
+    CHECK(now.findings[i].row_updates == said.findings[i].row_updates);
   }
-  std::filesystem::remove(file);
+  CHECK_THROWS_AS(recommendations_of("task,a\n0,1\n"), std::invalid_argument);
 }

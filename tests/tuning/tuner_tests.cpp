@@ -1,5 +1,5 @@
 // The tuner against runs whose outcome is a formula, and against all settings tried one by one.
-#include "tuning/tuner.hpp"
+#include "study/tuning/tuner.hpp"
 
 #include <doctest/doctest.h>
 
