@@ -22,22 +22,6 @@ std::string solver_text(const Setting& setting) {
   return text;
 }
 
-std::string policy_text(StabilizationPolicy policy) {
-  switch (policy) {
-    case StabilizationPolicy::none:
-      return "none";
-    case StabilizationPolicy::baumgarte:
-      return "baumgarte";
-    case StabilizationPolicy::relaxed:
-      return "relaxed";
-    case StabilizationPolicy::soft:
-      return "soft";
-    case StabilizationPolicy::split_impulse:
-      break;
-  }
-  return "split impulse";
-}
-
 List<CsvCell> extreme_cells(const ExtremeCase& extreme) {
   const ExtremeFinding found = find_out(extreme);
   std::string note = found.note;
@@ -45,7 +29,7 @@ List<CsvCell> extreme_cells(const ExtremeCase& extreme) {
   return {extreme.axis,
           extreme.value,
           solver_text(extreme.setting),
-          policy_text(extreme.setting.stabilization.policy),
+          stabilization_text({.policy = extreme.setting.stabilization.policy}),
           verdict_text(extreme.required),
           verdict_text(found.verdict),
           found.quantity,

@@ -40,10 +40,6 @@ struct Distance {
   double x = 0;  // [m]
 };
 
-std::string scalar_text(Precision scalar) {
-  return scalar == Precision::single_precision ? "float" : "double";
-}
-
 /// [m] between neighbouring numbers at x.
 double spacing_at(const Distance& distance) {
   return in_scalar(distance.scalar, [&](auto real) {
@@ -77,8 +73,8 @@ List<ExtremeCase> distance_cases() {
       tried.setting.scalar = distance.scalar;
       const double x = distance.x;
       const auto run = [x](const Setting& setting) { return as_at_the_origin(x, setting); };
-      cases.push_back({"distance", fmt::format("{:g} m in {}", x, scalar_text(distance.scalar)),
-                       tried.setting, required_of_distance(distance), tried.quick, run});
+      cases.push_back({"distance", fmt::format("{:g} m in {}", x, word_of(distance.scalar)), tried.setting,
+                       required_of_distance(distance), tried.quick, run});
     }
   }
   return cases;
