@@ -21,8 +21,8 @@ enum class Precision { single_precision, double_precision };
 template <typename Enum>
 struct Named {
   Enum value = {};
-  std::string word = {};     // "split-impulse"
-  std::string meaning = {};  // where lists explain it
+  std::string word = "";     // "split-impulse"
+  std::string meaning = "";  // where lists explain it
 };
 
 template <typename Enum>
