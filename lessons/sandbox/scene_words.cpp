@@ -44,6 +44,13 @@ void choose(const Words& words, std::string_view flag, Enum& chosen) {
   if (words.has(flag)) chosen = value_of<Enum>(words.word(flag, "", words_of<Enum>()));
 }
 
+/// "a, b or c".
+template <typename Enum>
+std::string either() {
+  const List<std::string> words = words_of<Enum>();
+  return joined({words.begin(), words.end() - 1}, ", ") + " or " + words.back();
+}
+
 /// The flags that not every solver takes, by what its entry says.
 struct TakenFlag {
   const char* flag = "";
@@ -78,7 +85,7 @@ SceneEntry scene_of(const Words& words, const std::string& name, List<std::strin
   return scene;
 }
 
-List<Flag> search_flags() { return {{"contact-search", "WHICH", "every-substep, every-step or when-moved"}}; }
+List<Flag> search_flags() { return {{"contact-search", "WHICH", either<ContactSearch>()}}; }
 
 void set_search(const Words& words, Setting& setting) {
   choose(words, "contact-search", setting.contact_search);
@@ -91,13 +98,12 @@ List<Flag> setting_flags() {
       {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
       {"substeps", "N", "of which a step is made"}};
   flags = joined_flags(flags, search_flags());
-  return joined_flags(flags,
-                      {{"frequency", "HZ", "steps a second"},
-                       {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
-                       {"scalar", "WHICH", "float or double"},
-                       {"stabilization", "WHICH",
-                        "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
-                       {"cold", "", "every step begins without the impulses of the last"}});
+  return joined_flags(
+      flags, {{"frequency", "HZ", "steps a second"},
+              {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
+              {"scalar", "WHICH", either<Precision>()},
+              {"stabilization", "WHICH", either<StabilizationPolicy>() + "; cairn list stabilizations"},
+              {"cold", "", "every step begins without the impulses of the last"}});
 }
 
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
