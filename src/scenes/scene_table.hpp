@@ -88,7 +88,7 @@ void SceneTable::read(Struct& into) const {
 template <typename Struct>
 std::optional<Struct> part_of(const SceneTable& table, const std::string& key) {
   std::optional<Struct> part;
-  for (const SceneTable& inner : table.tables(key)) inner.read(part.emplace());
+  for (const SceneTable& inner : table.tables(key)) inner.read(part.emplace(Struct{}));
   return part;
 }
 

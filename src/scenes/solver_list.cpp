@@ -53,13 +53,13 @@ std::unique_ptr<Solver<Real>> opencl_jacobi([[maybe_unused]] const SolverSetting
 }
 
 /// The entry of a class of solvers: its makers, and what else it says.
-template <template <Scalar> class SolverType, typename... Variant>
+template <typename InFloat, typename InDouble, typename... Variant>
 SolverEntry entry_of(SolverEntry entry, Variant... variant) {
   entry.make_float = [=](const SolverSettings& settings) {
-    return std::make_unique<SolverType<float>>(settings, variant...);
+    return std::make_unique<InFloat>(settings, variant...);
   };
   entry.make_double = [=](const SolverSettings& settings) {
-    return std::make_unique<SolverType<double>>(settings, variant...);
+    return std::make_unique<InDouble>(settings, variant...);
   };
   return entry;
 }
@@ -78,78 +78,84 @@ const SolverEntry& known_solver(const std::string& name, const char* place) {
 
 const List<SolverEntry>& solver_entries() {
   static const List<SolverEntry> entries = {
-      entry_of<SequentialImpulse>(
+      entry_of<SequentialImpulse<float>, SequentialImpulse<double>>(
           {.name = "si", .title = "sequential impulses", .cost = "12 m a sweep, memory m", .tuned = true}),
-      entry_of<ProjectedGaussSeidel>({.name = "pgs",
-                                      .title = "PGS on a dense A",
-                                      .cost = "m^2 a sweep, memory m^2",
-                                      .max_rows = ProjectedGaussSeidel<double>::max_rows}),
-      entry_of<SparseProjectedGaussSeidel>({.name = "pgs-sparse",
-                                            .title = "PGS on A without its zeros",
-                                            .cost = "the non-zeros of A a sweep, and as much memory",
-                                            .work_of_a_sweep = 1.8}),
-      entry_of<FactoredProjectedGaussSeidel>(
+      entry_of<ProjectedGaussSeidel<float>, ProjectedGaussSeidel<double>>(
+          {.name = "pgs",
+           .title = "PGS on a dense A",
+           .cost = "m^2 a sweep, memory m^2",
+           .max_rows = ProjectedGaussSeidel<double>::max_rows}),
+      entry_of<SparseProjectedGaussSeidel<float>, SparseProjectedGaussSeidel<double>>(
+          {.name = "pgs-sparse",
+           .title = "PGS on A without its zeros",
+           .cost = "the non-zeros of A a sweep, and as much memory",
+           .work_of_a_sweep = 1.8}),
+      entry_of<FactoredProjectedGaussSeidel<float>, FactoredProjectedGaussSeidel<double>>(
           {.name = "pgs-factored", .title = "PGS on A in two factors", .cost = "12 m a sweep, memory 12 m"}),
-      entry_of<Jacobi>({.name = "jacobi",
-                        .title = "Jacobi, all rows at once",
-                        .cost = "12 m a sweep, memory 2 m",
-                        .uses_order = false}),
+      entry_of<Jacobi<float>, Jacobi<double>>({.name = "jacobi",
+                                               .title = "Jacobi, all rows at once",
+                                               .cost = "12 m a sweep, memory 2 m",
+                                               .uses_order = false}),
       {.name = "jacobi-damped",
        .title = "Jacobi with half of every correction",
        .cost = "12 m a sweep, memory 2 m",
        .uses_order = false,
        .make_float = damped_jacobi<float>,
        .make_double = damped_jacobi<double>},
-      entry_of<Jacobi>({.name = "jacobi-split",
-                        .title = "Jacobi with split masses",
-                        .cost = "12 m a sweep, memory 2 m",
-                        .uses_order = false},
-                       Splitting::mass),
-      entry_of<BlockSequentialImpulse>(
+      entry_of<Jacobi<float>, Jacobi<double>>({.name = "jacobi-split",
+                                               .title = "Jacobi with split masses",
+                                               .cost = "12 m a sweep, memory 2 m",
+                                               .uses_order = false},
+                                              Splitting::mass),
+      entry_of<BlockSequentialImpulse<float>, BlockSequentialImpulse<double>>(
           {.name = "block",
            .title = "sequential impulses, joints as blocks",
            .cost = "12 m a sweep and n^2 for a joint of n rows, memory linear in m",
            .work_of_a_sweep = 1.6,
            .tuned = true},
           ContactBlock::none),
-      entry_of<BlockSequentialImpulse>(
+      entry_of<BlockSequentialImpulse<float>, BlockSequentialImpulse<double>>(
           {.name = "block-contact",
            .title = "sequential impulses, joints and contact points as blocks",
            .cost = "12 m a sweep and n^2 for a block of n rows, memory linear in m",
            .work_of_a_sweep = 1.6,
            .tuned = true},
           ContactBlock::normal_and_friction),
-      entry_of<AcceleratedProjectedGaussSeidel>({.name = "accelerated",
-                                                 .title = "PGS with Nesterov's momentum",
-                                                 .cost = "24 m a sweep, memory 2 m and three numbers a body",
-                                                 .work_of_a_sweep = 1.3,
-                                                 .tuned = true}),
-      entry_of<WideSequentialImpulse>({.name = "wide",
-                                       .title = "sequential impulses, 16 blocks at a time",
-                                       .cost = "12 m a sweep, 16 rows at a time, memory 20 m",
-                                       .work_of_a_sweep = 0.15,
-                                       .tuned = true,
-                                       .uses_order = false},
-                                      Momentum::none),
-      entry_of<WideSequentialImpulse>({.name = "wide-accelerated",
-                                       .title = "PGS with Nesterov's momentum, 16 blocks at a time",
-                                       .cost = "24 m a sweep, 16 rows at a time, memory 21 m",
-                                       .work_of_a_sweep = 0.3,
-                                       .tuned = true,
-                                       .uses_order = false},
-                                      Momentum::nesterov),
+      entry_of<AcceleratedProjectedGaussSeidel<float>, AcceleratedProjectedGaussSeidel<double>>(
+          {.name = "accelerated",
+           .title = "PGS with Nesterov's momentum",
+           .cost = "24 m a sweep, memory 2 m and three numbers a body",
+           .work_of_a_sweep = 1.3,
+           .tuned = true}),
+      entry_of<WideSequentialImpulse<float>, WideSequentialImpulse<double>>(
+          {.name = "wide",
+           .title = "sequential impulses, 16 blocks at a time",
+           .cost = "12 m a sweep, 16 rows at a time, memory 20 m",
+           .work_of_a_sweep = 0.15,
+           .tuned = true,
+           .uses_order = false},
+          Momentum::none),
+      entry_of<WideSequentialImpulse<float>, WideSequentialImpulse<double>>(
+          {.name = "wide-accelerated",
+           .title = "PGS with Nesterov's momentum, 16 blocks at a time",
+           .cost = "24 m a sweep, 16 rows at a time, memory 21 m",
+           .work_of_a_sweep = 0.3,
+           .tuned = true,
+           .uses_order = false},
+          Momentum::nesterov),
       // In level 2 of the study no scene that newton loses with 1 to 16 linear systems a step, at a step of
       // the grid, is held with 32 or 64: none of 738.
-      entry_of<NewtonSolver>({.name = "newton",
-                              .title = "Newton's method on sparse factors, from the warm start",
-                              .cost = "a sparse system a sweep: that of 5 to 40 others; memory 18 numbers a "
-                                      "pair of bodies, 22 a row",
-                              .updates_a_row = 15,
-                              .work_of_a_sweep = 15,
-                              .most_tried_sweeps = 16,
-                              .tuned = true,
-                              .uses_order = false,
-                              .uses_relaxation = false}),
+      entry_of<NewtonSolver<float>, NewtonSolver<double>>(
+          {.name = "newton",
+           .title = "Newton's method on sparse factors, from the warm start",
+           .cost = "a sparse system a sweep: that of 5 to 40 others; memory 18 numbers a "
+                   "pair of bodies, 22 a row",
+           .updates_a_row = 15,
+           .work_of_a_sweep = 15,
+           .most_tried_sweeps = 16,
+           .tuned = true,
+           .uses_order = false,
+           .uses_relaxation = false}),
       {.name = "reference",
        .title = "exact: modes, Lemke's method or Newton's",
        .cost = "m^3 and more, memory 4 m^2",
