@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <concepts>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 #include <utility>
 
 #include "math/check.hpp"
@@ -32,47 +35,53 @@ struct Control {
   std::function<void(Controls&, const std::string&, double)> set = {};  // the word, or the number
 };
 
-const List<std::string> switch_words = {"on", "off"};
-
-List<std::string> solver_words(std::string SolverEntry::*which, List<std::string> words = {}) {
-  for (const SolverEntry& entry : solver_entries()) {
-    if (entry.name != "box2d") words.push_back(entry.*which);
-  }
-  return words;
-}
-
-int number_of(const List<std::string>& words, const std::string& word) {
-  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
+List<std::string> solver_titles(List<std::string> titles = {}) {
+  for (const SolverEntry& entry : solver_entries()) titles.push_back(entry.title);
+  return titles;
 }
 
 std::string number_text(double number) { return fmt::format("{:g}", number); }
 
+/// What `at` finds in the controls: a number, a switch, or one of the values of an enumeration.
+template <typename At>
+Control control_of(Control control, At at) {
+  using Value = std::remove_cvref_t<std::invoke_result_t<At, Controls&>>;
+  if constexpr (std::is_enum_v<Value>) {
+    control.choices = words_of<Value>();
+    control.value = [at](const Controls& c) { return word_of(at(c)); };
+    control.set = [at](Controls& c, const std::string& word, double) { at(c) = value_of<Value>(word); };
+  } else if constexpr (std::same_as<Value, bool>) {
+    control.choices = {"on", "off"};
+    control.value = [at](const Controls& c) { return std::string(at(c) ? "on" : "off"); };
+    control.set = [at](Controls& c, const std::string& word, double) { at(c) = word == "on"; };
+  } else {
+    control.is_whole = std::integral<Value>;
+    control.value = [at](const Controls& c) { return number_text(at(c)); };
+    control.set = [at](Controls& c, const std::string&, double x) { at(c) = static_cast<Value>(x); };
+  }
+  return control;
+}
+
 List<Control> solver_controls() {
-  return {{.name = "solver",
-           .title = "Solver",
-           .choices = solver_words(&SolverEntry::name),
-           .meanings = solver_words(&SolverEntry::title),
-           .value = [](const Controls& c) { return c.setting.solver; },
-           .set = [](Controls& c, const std::string& word, double) { c.setting.solver = word; }},
-          {.name = "other",
-           .title = "Second solver",
-           .choices = solver_words(&SolverEntry::name, {"none"}),
-           .meanings = solver_words(&SolverEntry::title, {""}),
-           .value = [](const Controls& c) { return c.other.value_or("none"); },
-           .set = [](Controls& c, const std::string& word,
-                     double) { c.other = word == "none" ? std::nullopt : std::optional(word); }},
-          {.name = "sweeps",
-           .title = "Sweeps",
-           .most = 100,
-           .is_whole = true,
-           .value = [](const Controls& c) { return number_text(c.setting.sweeps.iterations); },
-           .set = [](Controls& c, const std::string&,
-                     double x) { c.setting.sweeps.iterations = static_cast<int>(x); }},
-          {.name = "warm",
-           .title = "Warm start",
-           .choices = switch_words,
-           .value = [](const Controls& c) { return std::string(c.setting.warm_start ? "on" : "off"); },
-           .set = [](Controls& c, const std::string& word, double) { c.setting.warm_start = word == "on"; }}};
+  return {
+      {.name = "solver",
+       .title = "Solver",
+       .choices = solver_names(),
+       .meanings = solver_titles(),
+       .value = [](const Controls& c) { return c.setting.solver; },
+       .set = [](Controls& c, const std::string& word, double) { c.setting.solver = word; }},
+      {.name = "other",
+       .title = "Second solver",
+       .choices = solver_names({"none"}),
+       .meanings = solver_titles({""}),
+       .value = [](const Controls& c) { return c.other.value_or("none"); },
+       .set = [](Controls& c, const std::string& word,
+                 double) { c.other = word == "none" ? std::nullopt : std::optional(word); }},
+      control_of(
+          {.name = "sweeps", .title = "Sweeps", .most = 100},
+          [](auto& c) -> auto& { return c.setting.sweeps.iterations; }),
+      control_of(
+          {.name = "warm", .title = "Warm start"}, [](auto& c) -> auto& { return c.setting.warm_start; })};
 }
 
 List<Control> scene_controls() {
@@ -84,69 +93,37 @@ List<Control> scene_controls() {
                [](Controls& c, const std::string& word, double) {
                  c.friction = word == "as-in-scene" ? std::nullopt : std::optional(std::stod(word));
                }},
-          {.name = "mass-ratio",
-           .title = "Mass of the uppermost body",
-           .unit = "×",
-           .least = 0.01,
-           .most = 1000,
-           .value = [](const Controls& c) { return number_text(c.mass_ratio); },
-           .set = [](Controls& c, const std::string&, double x) { c.mass_ratio = x; }}};
+          control_of(
+              {.name = "mass-ratio",
+               .title = "Mass of the uppermost body",
+               .unit = "×",
+               .least = 0.01,
+               .most = 1000},
+              [](auto& c) -> auto& { return c.mass_ratio; })};
 }
 
 List<Control> step_controls() {
-  return {
-      {.name = "policy",
-       .title = "Stabilization",
-       .choices = stabilization_words(),
-       .value =
-           [](const Controls& c) {
-             return stabilization_words()[static_cast<int>(c.setting.stabilization.policy)];
-           },
-       .set =
-           [](Controls& c, const std::string& word, double) {
-             c.setting.stabilization.policy =
-                 static_cast<StabilizationPolicy>(number_of(stabilization_words(), word));
-           }},
-      {.name = "beta",
-       .title = "Baumgarte factor β",
-       .most = 1,
-       .value = [](const Controls& c) { return number_text(c.setting.stabilization.baumgarte); },
-       .set = [](Controls& c, const std::string&, double x) { c.setting.stabilization.baumgarte = x; }},
-      {.name = "rate",
-       .title = "Steps a second",
-       .unit = "Hz",
-       .least = 10,
-       .most = 960,
-       .value = [](const Controls& c) { return number_text(1 / c.setting.dt); },
-       .set = [](Controls& c, const std::string&, double x) { c.setting.dt = 1 / x; }},
-      {.name = "substeps",
-       .title = "Substeps",
-       .least = 1,
-       .most = 16,
-       .is_whole = true,
-       .value = [](const Controls& c) { return number_text(c.setting.substeps); },
-       .set = [](Controls& c, const std::string&, double x) { c.setting.substeps = static_cast<int>(x); }},
-      {.name = "search",
-       .title = "Contact search",
-       .choices = contact_search_words(),
-       .value =
-           [](const Controls& c) { return contact_search_words()[static_cast<int>(c.setting.contact_search)]; },
-       .set =
-           [](Controls& c, const std::string& word, double) {
-             c.setting.contact_search =
-                 static_cast<ContactSearch>(number_of(contact_search_words(), word));
-           }},
-      {.name = "numbers",
-       .title = "Precision",
-       .choices = {"float", "double"},
-       .value =
-           [](const Controls& c) {
-             return std::string(c.setting.scalar == Precision::single_precision ? "float" : "double");
-           },
-       .set =
-           [](Controls& c, const std::string& word, double) {
-             c.setting.scalar = word == "float" ? Precision::single_precision : Precision::double_precision;
-           }}};
+  return {control_of(
+              {.name = "policy", .title = "Stabilization"},
+              [](auto& c) -> auto& { return c.setting.stabilization.policy; }),
+          control_of(
+              {.name = "beta", .title = "Baumgarte factor β", .most = 1},
+              [](auto& c) -> auto& { return c.setting.stabilization.baumgarte; }),
+          {.name = "rate",
+           .title = "Steps a second",
+           .unit = "Hz",
+           .least = 10,
+           .most = 960,
+           .value = [](const Controls& c) { return number_text(1 / c.setting.dt); },
+           .set = [](Controls& c, const std::string&, double x) { c.setting.dt = 1 / x; }},
+          control_of(
+              {.name = "substeps", .title = "Substeps", .least = 1, .most = 16},
+              [](auto& c) -> auto& { return c.setting.substeps; }),
+          control_of(
+              {.name = "search", .title = "Contact search"},
+              [](auto& c) -> auto& { return c.setting.contact_search; }),
+          control_of(
+              {.name = "numbers", .title = "Precision"}, [](auto& c) -> auto& { return c.setting.scalar; })};
 }
 
 const List<Control>& all_controls() {
@@ -191,7 +168,8 @@ void set_control(Controls& controls, const Controls& recommended, const std::str
   List<std::string> known;
   for (const Control& control : all_controls()) known.push_back(control.name);
   require_known(name, known, "playground", "setting");
-  const Control& control = all_controls()[number_of(known, name)];
+  const auto found = std::find(known.begin(), known.end(), name);
+  const Control& control = all_controls()[static_cast<int>(found - known.begin())];
   if (!control.choices.empty()) {
     const std::string word = known_word(value, control.choices);
     if (word.empty()) require_known(value, control.choices, control.name, "choice");

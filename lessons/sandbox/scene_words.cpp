@@ -38,12 +38,17 @@ double step_of(const Words& words, double standard) {
   return words.has("frequency") ? 1 / words.number("frequency", 60, 1e-3, 1e9) : standard;
 }
 
-/// Of an enumeration whose words these are.
+/// What a flag says of an enumeration.
 template <typename Enum>
-Enum choice_of(const Words& words, std::string_view flag, Enum standard, const List<std::string>& names) {
-  if (!words.has(flag)) return standard;
-  const std::string name = words.word(flag, names.front(), names);
-  return static_cast<Enum>(std::find(names.begin(), names.end(), name) - names.begin());
+void choose(const Words& words, std::string_view flag, Enum& chosen) {
+  if (words.has(flag)) chosen = value_of<Enum>(words.word(flag, "", words_of<Enum>()));
+}
+
+/// "a, b or c".
+template <typename Enum>
+std::string either() {
+  const List<std::string> words = words_of<Enum>();
+  return joined({words.begin(), words.end() - 1}, ", ") + " or " + words.back();
 }
 
 /// The flags that not every solver takes, by what its entry says.
@@ -80,18 +85,10 @@ SceneEntry scene_of(const Words& words, const std::string& name, List<std::strin
   return scene;
 }
 
-List<std::string> solver_names() {
-  List<std::string> names;
-  for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
-  names.push_back(opencl_jacobi_entry().name);
-  if (has_box2d()) names.push_back("box2d");
-  return names;
-}
-
-List<Flag> search_flags() { return {{"contact-search", "WHICH", "every-substep, every-step or when-moved"}}; }
+List<Flag> search_flags() { return {{"contact-search", "WHICH", either<ContactSearch>()}}; }
 
 void set_search(const Words& words, Setting& setting) {
-  setting.contact_search = choice_of(words, "contact-search", setting.contact_search, contact_search_words());
+  choose(words, "contact-search", setting.contact_search);
 }
 
 List<Flag> setting_flags() {
@@ -101,19 +98,18 @@ List<Flag> setting_flags() {
       {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
       {"substeps", "N", "of which a step is made"}};
   flags = joined_flags(flags, search_flags());
-  return joined_flags(flags,
-                      {{"frequency", "HZ", "steps a second"},
-                       {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
-                       {"scalar", "WHICH", "float or double"},
-                       {"stabilization", "WHICH",
-                        "none, baumgarte, relaxed, soft or split-impulse; cairn list stabilizations"},
-                       {"cold", "", "every step begins without the impulses of the last"}});
+  return joined_flags(
+      flags, {{"frequency", "HZ", "steps a second"},
+              {"dt", "TIME", "the length of a step, such as 1/60 or 2ms, in place of --frequency"},
+              {"scalar", "WHICH", either<Precision>()},
+              {"stabilization", "WHICH", either<StabilizationPolicy>() + "; cairn list stabilizations"},
+              {"cold", "", "every step begins without the impulses of the last"}});
 }
 
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string given = text.substr(0, colon);
-  const List<std::string> known = solver_names();
+  const List<std::string> known = contestant_names();
   const std::string name = known_word(given, known);
   setting.solver = name.empty() ? given : name;
   if (const std::string refusal = solver_refusal(setting); !refusal.empty())
@@ -145,7 +141,7 @@ Setting setting_of(const Words& words, const SceneEntry& scene) {
 
 Setting common_setting(const Words& words, const SceneEntry& scene) {
   Setting setting = scene.setting;
-  setting.scalar = choice_of(words, "scalar", setting.scalar, precision_words());
+  choose(words, "scalar", setting.scalar);
   if (const std::optional<std::string> solver = words.text("solver")) {
     setting = with_solver(words, "solver", setting, *solver);
     if (solver->find(':') != std::string::npos) words.refuse_beside("sweeps", "beside --solver " + *solver);
@@ -154,8 +150,7 @@ Setting common_setting(const Words& words, const SceneEntry& scene) {
   setting.substeps = words.whole("substeps", setting.substeps, 1, SceneSettings::most_substeps);
   set_search(words, setting);
   setting.dt = step_of(words, setting.dt);
-  StabilizationPolicy& policy = setting.stabilization.policy;
-  policy = choice_of(words, "stabilization", policy, stabilization_words());
+  choose(words, "stabilization", setting.stabilization.policy);
   if (words.has("cold")) setting.warm_start = false;
   check(setting);
   return setting;

@@ -42,9 +42,6 @@ Setting with_solver(const Words& words, std::string_view flag, Setting setting, 
 /// --seconds, or the scene's own [s].
 double seconds_of(const Words& words, const SceneEntry& scene);
 
-/// The names of all solvers that --solver takes.
-List<std::string> solver_names();
-
 /// Both lists in one.
 List<Flag> joined_flags(List<Flag> first, const List<Flag>& second);
 

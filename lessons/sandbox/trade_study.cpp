@@ -54,9 +54,7 @@ std::string left_is_better(const std::string& axis) { return "← cheaper    " +
 /// `others`: contestants that are no solvers.
 List<std::string> solvers_of(const Words& words, const List<std::string>& standard,
                              const List<std::string>& others) {
-  List<std::string> known = others;
-  for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
-  const List<std::string> given = words.known_texts("solvers", known);
+  const List<std::string> given = words.known_texts("solvers", solver_names(others));
   return given.empty() ? standard : given;
 }
 

@@ -32,11 +32,11 @@ std::string place_words(const Verb& verb) {
 
 /// What can stand behind flags of a closed set.
 std::map<std::string, std::string> value_words() {
-  return {{"--solver", joined(solver_names(), " ")},
-          {"--solvers", joined(solver_names(), " ")},
-          {"--stabilization", joined(stabilization_words(), " ")},
-          {"--scalar", joined(precision_words(), " ")},
-          {"--contact-search", joined(contact_search_words(), " ")},
+  return {{"--solver", joined(contestant_names(), " ")},
+          {"--solvers", joined(contestant_names(), " ")},
+          {"--stabilization", joined(words_of<StabilizationPolicy>(), " ")},
+          {"--scalar", joined(words_of<Precision>(), " ")},
+          {"--contact-search", joined(words_of<ContactSearch>(), " ")},
           {"--theme", "light dark"},
           {"--size", "small medium large"},
           {"--show", "loads contacts velocities trails overlaps numbers none"},

@@ -37,11 +37,6 @@ struct SolverMemory {
   std::string unknown = {};
 };
 
-std::string body_type_name(BodyType type) {
-  if (type == BodyType::dynamic) return "dynamic";
-  return type == BodyType::kinematic ? "kinematic" : "static";
-}
-
 /// "2, the first at 0.5 s, the last at 2 s".
 std::string events_text(const List<SceneEvent>& events) {
   if (events.size() == 1) return fmt::format("1, at {:g} s", events.front().time);
@@ -53,7 +48,7 @@ SceneCounts counts_of(const Scene& scene, const World<double>& after, int contac
   SceneCounts counts;
   for (const SceneBody& body : scene.bodies()) {
     if (body.removed) continue;
-    counts.bodies[body_type_name(body.spec.type)] += 1;
+    counts.bodies[word_of(body.spec.type)] += 1;
     for (const Shape<double>& shape : body.spec.shapes) counts.shapes[shape_name(shape)] += 1;
   }
   for (const auto& joint : scene.joints()) counts.joints[joint->name()] += 1;

@@ -16,21 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int list_columns = 100;
 
-struct Policy {
-  std::string name = {};
-  std::string what = {};
-};
-
-List<Policy> policies() {
-  const List<std::string>& names = stabilization_words();
-  return {{names[0], "errors in positions stay, and grow by the error of integration"},
-          {names[1], "velocities carry a share of the error for every step, and keep that speed"},
-          {names[2],
-           "as baumgarte; of joints a second solve takes the speed out again, and they follow their arcs"},
-          {names[3], "stiff springs in the rows; a second solve takes their speed out again"},
-          {names[4], "velocities of their own move the bodies once, and are forgotten"}};
-}
-
 Json scenes_json() {
   Json all = Json::array();
   for (const SceneEntry& scene : scene_entries()) {
@@ -45,17 +30,17 @@ Json scenes_json() {
 
 Json solvers_json() {
   Json all = Json::array();
-  List<SolverEntry> entries = solver_entries();
-  entries.push_back(opencl_jacobi_entry());
-  if (has_box2d()) entries.push_back(box2d_entry());
-  for (const SolverEntry& solver : entries)
-    all.push_back({{"name", solver.name}, {"title", solver.title}, {"cost", solver.cost}});
+  for (const std::string& name : contestant_names()) {
+    const SolverEntry& solver = solver_entry(name);
+    all.push_back({{"name", name}, {"title", solver.title}, {"cost", solver.cost}});
+  }
   return all;
 }
 
 Json stabilizations_json() {
   Json all = Json::array();
-  for (const Policy& policy : policies()) all.push_back({{"name", policy.name}, {"title", policy.what}});
+  for (const auto& policy : named_values(StabilizationPolicy()))
+    all.push_back({{"name", policy.word}, {"title", policy.meaning}});
   return all;
 }
 

@@ -149,12 +149,6 @@ Json answer_json(const std::string& scene, const TunerAnswer& answer) {
           {"complete", answer.complete}};
 }
 
-List<std::string> solvers_to_tune() {
-  List<std::string> names;
-  for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
-  return names;
-}
-
 double seconds_to_tune(const Words& words, const SceneEntry& entry, const Wish& wish) {
   const double standard = std::max(entry.seconds, wish.stands.value_or(0));
   const double seconds = words.has("seconds") ? words.quantity("seconds", "s", 0, longest_run) : standard;
@@ -176,7 +170,7 @@ void check_stands(const Words& words, const SceneEntry& entry) {
 TunerOptions tuner_options(const Words& words, Progress& bar) {
   TunerOptions options;
   options.starts = words.whole("starts", 16, 1, 1000);
-  if (words.has("solvers")) options.solvers = words.known_texts("solvers", solvers_to_tune());
+  if (words.has("solvers")) options.solvers = words.known_texts("solvers", solver_names());
   options.time_limit = words.quantity("time", "s", 60);
   options.progress = [&bar](int tried, int total) {
     bar.expect(total);

@@ -1,6 +1,4 @@
 // Floor 8. Bodies and their shapes from a scene file.
-#include <map>
-
 #include "scenes/scene_builder.hpp"
 #include "math/list.hpp"
 
@@ -44,8 +42,7 @@ Shape<double> make_scene_shape(const SceneTable& table, const std::string& key) 
 }
 
 void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
-  BodySpec spec = moving_matter_of(table);
-  spec.position = table.point("position");
+  BodySpec spec = body_of(table);
   spec.shapes = shape_of(table);
   if (!spec.shapes.empty() && table.has("shapes")) {
     table.refuse("shapes", "the only shapes, without a shape beside them");
@@ -62,42 +59,11 @@ void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
   if (table.has("displaced") || table.has("displaced_angle")) builder.displace(table, body);
 }
 
-using SceneRepeat = void (*)(SceneBuilder&, const SceneTable&, const std::string&);
-
-const std::map<std::string, SceneRepeat>& scene_repeats() {
-  static const std::map<std::string, SceneRepeat> repeats = {
-      {"link", build_link},     {"stack", build_stack}, {"pyramid", build_pyramid},   {"row", build_row},
-      {"pile", build_pile},     {"arch", build_arch},   {"dominoes", build_dominoes}, {"cards", build_cards},
-      {"cradle", build_cradle}, {"chain", build_chain}};
-  return repeats;
-}
-
 }  // namespace
 
-BodySpec matter_of(const SceneTable& table) {
-  const BodyType types[] = {BodyType::dynamic, BodyType::static_body, BodyType::kinematic};
+BodySpec body_of(const SceneTable& table) {
   BodySpec spec;
-  spec.type = types[table.word("type")];
-  if (table.has("mass")) spec.mass = table.number("mass");
-  if (table.has("inertia")) spec.inertia = table.number("inertia");
-  spec.density = table.number("density");
-  spec.friction = table.number("friction");
-  spec.restitution = table.number("restitution");
-  spec.linear_damping = table.number("linear_damping");
-  spec.angular_damping = table.number("angular_damping");
-  spec.gravity_scale = table.number("gravity_scale");
-  spec.fixed_rotation = table.flag("fixed_rotation");
-  spec.sensor = table.flag("sensor");
-  spec.category = static_cast<std::uint32_t>(table.number("category"));
-  spec.collides_with = static_cast<std::uint32_t>(table.number("collides_with"));
-  return spec;
-}
-
-BodySpec moving_matter_of(const SceneTable& table) {
-  BodySpec spec = matter_of(table);
-  spec.angle = table.number("angle");
-  spec.velocity = table.point("velocity");
-  spec.angular_velocity = table.number("angular_velocity");
+  table.read(spec);
   return spec;
 }
 
@@ -116,7 +82,7 @@ List<Shape<double>> shape_of(const SceneTable& table) {
 
 void build_bodies(SceneBuilder& builder, const SceneTable& table, int number) {
   if (table.kind() == "body") return build_body(builder, table, number);
-  scene_repeats().at(table.kind())(builder, table, builder.claim_name(table, table.kind()));
+  scene_table_kind(table.kind()).build(builder, table, builder.claim_name(table, table.kind()));
 }
 
 }  // namespace cairn

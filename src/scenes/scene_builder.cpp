@@ -29,14 +29,11 @@ BodyId SceneBuilder::add(const SceneTable& table, const BodySpec& spec, const st
 }
 
 void SceneBuilder::add_ground(const SceneTable& table) {
-  const double length = std::max(1.0, length_), enough = length * GroundSpec().half_width;
-  table.guard([&] {
-    scene_.add_ground({.height = table.number("height"),
-                       .half_width = table.has("half_width") ? table.number("half_width") : enough,
-                       .thickness = length * GroundSpec().thickness,
-                       .friction = table.number("friction"),
-                       .restitution = table.number("restitution")});
-  });
+  GroundSpec spec;
+  spec.half_width *= std::max(1.0, length_);
+  spec.thickness *= std::max(1.0, length_);
+  table.read(spec);
+  table.guard([&] { scene_.add_ground(spec); });
 }
 
 void SceneBuilder::require_room_for_joint(const SceneTable& table) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "constraints/distance_joint.hpp"
 #include "constraints/softness.hpp"
 #include "math/list.hpp"
 #include "scenes/scene_list.hpp"
@@ -75,12 +76,17 @@ class SceneBuilder {
   PerBody<Pose<double>> poses_ = {};       // once all bodies are there
 };
 
-/// What the keys of the groups matter and motion say.
-BodySpec matter_of(const SceneTable& table);
-BodySpec moving_matter_of(const SceneTable& table);
+/// What the keys of a table say that are members of a BodySpec.
+BodySpec body_of(const SceneTable& table);
 /// The shape of a table with the group shape; empty: it has none.
 List<Shape<double>> shape_of(const SceneTable& table);
 std::optional<Softness> softness_of(const SceneTable& table);
+
+/// A joint of a row or a chain as its key says: a pin or a weld at anchor_a, or else a rod, rope or spring.
+void join_links(SceneBuilder& builder, const SceneTable& table, const std::string& name,
+                DistanceJoint::Spec ends);
+/// The name of one of many, counted from 0: "stack.1".
+inline std::string numbered(const std::string& name, int i) { return name + "." + std::to_string(i + 1); }
 
 /// Adds what the table says. Its kind is one of those that make bodies.
 void build_bodies(SceneBuilder& builder, const SceneTable& table, int number);

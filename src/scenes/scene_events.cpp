@@ -135,7 +135,8 @@ List<ExpectedPlace> expected_places(const SceneBuilder& builder, const SceneTabl
     for (const SceneTable& table : bodies) {
       const BodyId body = builder.names().body(table, "name");
       if (end.bodies()[body].removed) table.refuse("name", "the name of a body that no event removes");
-      places.push_back({.body = body, .position = table.point("position"), .within = table.number("within")});
+      places.push_back({.body = body});
+      table.read(places.back());
     }
   }
   return places;

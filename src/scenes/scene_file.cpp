@@ -48,7 +48,7 @@ std::map<std::string, double> numbers_of(const SceneContext& context, const Scen
 /// The kinds of tables that make bodies.
 bool makes_bodies(const SceneTable& file, const std::string& key) {
   const SceneKey* found = find_scene_key(scene_table_kind(file.kind()), key);
-  return found && found->type == SceneType::tables && key != "joint" && key != "event";
+  return found && found->field.type == SceneType::tables && key != "joint" && key != "event";
 }
 
 /// One table of a list: which one of its kind, and what it says.
@@ -106,14 +106,12 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
 
   SceneEntry entry;
   entry.name = stem_of(file);
-  entry.title = table.has("title") ? table.text("title") : entry.name;
-  entry.look = table.text("look");
-  entry.order = table.number("order");
-  entry.seconds = table.number("seconds");
-  entry.expectations = expectations_of(table);
+  entry.title = entry.name;
+  table.read(entry);
+  entry.expectations = part_of<Expectations>(table, "expect").value_or(Expectations());
   entry.expectations.places = expected_places(builder, table);
   entry.setting = recommended_of(table, builder.scene());
-  entry.camera = camera_of(table);
+  entry.camera = part_of<SceneCamera>(table, "camera");
   entry.body_names = builder.names().of_bodies();
   entry.make = [scene = builder.scene()] { return scene; };
   Fingerprint fingerprint;

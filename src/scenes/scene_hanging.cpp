@@ -1,9 +1,9 @@
 // Floor 8. Chains and cradles: bodies in a row, and the joints between them.
 #include <cmath>
 
-#include "constraints/distance_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
+#include "scenes/named.hpp"
 #include "scenes/scene_builder.hpp"
 #include "math/list.hpp"
 
@@ -11,25 +11,22 @@ namespace cairn {
 
 namespace {
 
-enum class ChainJoint { pin, weld, rod, rope, spring };
-
 /// Where a chain runs, and what it is made of.
 struct ChainPlan {
   std::string name = {};
   int n = 0;
-  ChainJoint joint = ChainJoint::pin;
+  std::string joint = "pin";
   Vec2<double> from = {0, 0};   // [m]
   Vec2<double> along = {0, 0};  // unit vector
   double angle = 0;             // [rad] of the links
   double link = 0;              // [m] from joint to joint, or from body to body
   bool is_fastened = false;     // at its end
 
-  bool meets() const { return joint == ChainJoint::pin || joint == ChainJoint::weld; }
+  bool meets() const { return joint == "pin" || joint == "weld"; }
 };
 
 ChainPlan plan_chain(const SceneTable& table, const std::string& name) {
-  ChainPlan plan{
-      .name = name, .n = table.integer("n"), .joint = static_cast<ChainJoint>(table.word("joint"))};
+  ChainPlan plan{.name = name, .n = table.integer("n"), .joint = table.text("joint")};
   plan.from = table.point("from");
   plan.is_fastened = table.has("b");
   if (table.has("to")) {
@@ -66,55 +63,35 @@ Vec2<double> chain_place(const SceneTable& table, const ChainPlan& plan, int i) 
 
 /// Joint `number` of the chain, from 0.
 std::string chain_joint_name(const ChainPlan& plan, int number) {
-  return plan.name + ".joint." + std::to_string(number + 1);
-}
-
-void join_chain(SceneBuilder& builder, const SceneTable& table, const ChainPlan& plan, int number, BodyId a,
-                BodyId b, const Vec2<double>& anchor_a, const Vec2<double>& anchor_b) {
-  const std::string name = chain_joint_name(plan, number);
-  if (plan.joint == ChainJoint::pin) {
-    return builder.join<RevoluteJoint>(table, name, {.a = a, .b = b, .anchor = anchor_a});
-  }
-  if (plan.joint == ChainJoint::weld) {
-    return builder.join<WeldJoint>(table, name, {.a = a, .b = b, .anchor = anchor_a});
-  }
-  const DistanceJoint::Kind kinds[] = {DistanceJoint::Kind::rod, DistanceJoint::Kind::rope,
-                                       DistanceJoint::Kind::spring};
-  builder.join<DistanceJoint>(table, name,
-                              {.a = a,
-                               .b = b,
-                               .anchor_a = anchor_a,
-                               .anchor_b = anchor_b,
-                               .length = table.has("length") ? table.number("length") : -1,
-                               .kind = kinds[static_cast<int>(plan.joint) - 2],
-                               .softness = softness_of(table)});
+  return numbered(plan.name + ".joint", number);
 }
 
 /// Joins bodies `links` in a row, and its ends.
-void join_chain_bodies(SceneBuilder& builder, const SceneTable& table, const ChainPlan& plan,
-                       const List<BodyId>& links) {
-  BodyId before = builder.names().body(table, "a");
-  Vec2<double> anchor = plan.from;
+void join_chain(SceneBuilder& builder, const SceneTable& table, const ChainPlan& plan,
+                const List<BodyId>& links) {
+  DistanceJoint::Spec ends{.a = builder.names().body(table, "a")};
+  ends.anchor_a = plan.from;
   for (int i = 0; i < plan.n; ++i) {
-    const BodyId next = links[i];
-    if (plan.meets()) anchor = plan.from + i * plan.link * plan.along;
-    const Vec2<double> place = chain_place(table, plan, i);
-    join_chain(builder, table, plan, i, before, next, anchor, place);
-    before = next;
-    anchor = place;
+    if (plan.meets()) ends.anchor_a = plan.from + i * plan.link * plan.along;
+    ends.b = links[i];
+    ends.anchor_b = chain_place(table, plan, i);
+    join_links(builder, table, chain_joint_name(plan, i), ends);
+    ends.a = ends.b;
+    ends.anchor_a = ends.anchor_b;
   }
   if (!plan.is_fastened) return;
-  const Vec2<double> end =
+  ends.b = builder.names().body(table, "b");
+  ends.anchor_b =
       table.has("to") ? table.point("to") : Vec2<double>(plan.from + plan.n * plan.link * plan.along);
-  join_chain(builder, table, plan, plan.n, before, builder.names().body(table, "b"),
-             plan.meets() ? end : anchor, end);
+  if (plan.meets()) ends.anchor_a = ends.anchor_b;
+  join_links(builder, table, chain_joint_name(plan, plan.n), ends);
 }
 
 void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& plan, BodyId last,
                const std::string& name) {
   const double radius = bob.number("radius");
   const Vec2<double> end = plan.from + plan.n * plan.link * plan.along;
-  BodySpec spec = matter_of(bob);
+  BodySpec spec = body_of(bob);
   spec.shapes = {circle(radius)};
   spec.position = end + radius * plan.along;
   spec.angle = plan.angle;
@@ -127,19 +104,32 @@ void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& pl
 
 }  // namespace
 
+void join_links(SceneBuilder& builder, const SceneTable& table, const std::string& name,
+                DistanceJoint::Spec ends) {
+  const std::string joint = table.text("joint");
+  if (joint == "pin")
+    return builder.join<RevoluteJoint>(table, name, {.a = ends.a, .b = ends.b, .anchor = ends.anchor_a});
+  if (joint == "weld")
+    return builder.join<WeldJoint>(table, name, {.a = ends.a, .b = ends.b, .anchor = ends.anchor_a});
+  ends.kind = value_of<DistanceJoint::Kind>(joint);
+  if (table.has("length")) ends.length = table.number("length");
+  if (table.has("softness")) ends.softness = softness_of(table);
+  builder.join<DistanceJoint>(table, name, ends);
+}
+
 void build_cradle(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   const Vec2<double> middle = table.point("position");
   const double radius = table.number("radius"), rod = table.number("rod");
   const int n = table.integer("n");
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   spec.shapes = {circle(radius)};
   for (int i = 0; i < n; ++i) {
     const Vec2<double> top(middle.x() + (2 * radius + table.number("gap")) * (i - 0.5 * (n - 1)), middle.y());
     const double aside = i == 0 ? table.number("aside") : 0;  // [rad]
     const Vec2<double> place = top + rod * Vec2<double>(sine(aside), -cosine(aside));
     spec.position = place;
-    const BodyId ball = builder.add(table, spec, name + "." + std::to_string(i + 1));
-    const std::string joint = name + ".joint." + std::to_string(i + 1);
+    const BodyId ball = builder.add(table, spec, numbered(name, i));
+    const std::string joint = numbered(name + ".joint", i);
     builder.later([&builder, table, joint, ball, top, place] {
       builder.join<DistanceJoint>(table, joint, {.a = ground, .b = ball, .anchor_a = top, .anchor_b = place});
     });
@@ -148,7 +138,7 @@ void build_cradle(SceneBuilder& builder, const SceneTable& table, const std::str
 
 void build_chain(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   const ChainPlan plan = plan_chain(table, name);
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   spec.shapes = shape_of(table);
   if (spec.shapes.empty() && !plan.meets()) {
     table.refuse("joint", "pin or weld, unless its bodies have a shape: box, circle, ...");
@@ -161,9 +151,9 @@ void build_chain(SceneBuilder& builder, const SceneTable& table, const std::stri
   List<BodyId> links;
   for (int i = 0; i < plan.n; ++i) {
     spec.position = chain_place(table, plan, i);
-    links.push_back(builder.add(table, spec, name + "." + std::to_string(i + 1)));
+    links.push_back(builder.add(table, spec, numbered(name, i)));
   }
-  builder.later([&builder, table, plan, links] { join_chain_bodies(builder, table, plan, links); });
+  builder.later([&builder, table, plan, links] { join_chain(builder, table, plan, links); });
   for (const SceneTable& bob : table.tables("bob")) {
     if (!plan.meets() || plan.is_fastened)
       table.refuse("bob", "at the free end of links", "an end that is none");

@@ -3,40 +3,24 @@
 #include <map>
 
 #include "constraints/differential_joint.hpp"
-#include "constraints/distance_joint.hpp"
 #include "constraints/drag_joint.hpp"
-#include "constraints/friction_joint.hpp"
-#include "constraints/gear_joint.hpp"
 #include "constraints/prismatic_joint.hpp"
-#include "constraints/pulley_joint.hpp"
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
+#include "scenes/named.hpp"
 #include "scenes/scene_builder.hpp"
 
 namespace cairn {
 
 namespace {
 
-JointCollision collision_of(const SceneTable& table) {
-  const JointCollision choices[] = {JointCollision::as_usual, JointCollision::on, JointCollision::off};
-  return choices[table.word("collide")];
-}
-
-std::optional<double> number_if_given(const SceneTable& table, const std::string& key) {
-  if (!table.has(key)) return std::nullopt;
-  return table.number(key);
-}
-
-Vec2<double> anchor_or_center(const SceneBuilder& builder, const SceneTable& table, const std::string& key,
-                              BodyId body) {
-  return table.has(key) ? table.point(key) : builder.scene().bodies()[body].pose.position;
+Vec2<double> center_of(const SceneBuilder& builder, BodyId body) {
+  return builder.scene().bodies()[body].pose.position;
 }
 
 /// [m] How far off a rope or a limit still has a row: half of the length of the bodies, where that is more
 /// than half a metre.
-double margin_or_enough(const SceneBuilder& builder, const SceneTable& table, const std::string& key) {
-  return table.has(key) ? table.number(key) : std::max(1.0, builder.length()) / 2;
-}
+double enough_margin(const SceneBuilder& builder) { return std::max(1.0, builder.length()) / 2; }
 
 /// What a table says of a joint of the body `b`, `a` being known.
 struct ScenePair {
@@ -46,60 +30,43 @@ struct ScenePair {
   BodyId a = ground;
   BodyId b = {};
 
-  Vec2<double> anchor() const { return anchor_or_center(builder, table, "anchor", b); }
+  Vec2<double> anchor() const { return table.has("anchor") ? table.point("anchor") : center_of(builder, b); }
   template <typename Joint>
   void join(const typename Joint::Spec& spec) const {
-    builder.join<Joint>(table, name, spec, collision_of(table));
+    builder.join<Joint>(table, name, spec, value_of<JointCollision>(table.text("collide")));
   }
 };
 
 void join_distance(const ScenePair& pair) {
-  const std::map<std::string, DistanceJoint::Kind> kinds = {{"rod", DistanceJoint::Kind::rod},
-                                                            {"rope", DistanceJoint::Kind::rope},
-                                                            {"spring", DistanceJoint::Kind::spring}};
   const SceneTable& table = pair.table;
   DistanceJoint::Spec spec{.a = pair.a, .b = pair.b};
-  spec.anchor_a = anchor_or_center(pair.builder, table, "anchor_a", pair.a);
-  spec.anchor_b = anchor_or_center(pair.builder, table, "anchor_b", pair.b);
-  spec.length = number_if_given(table, "length").value_or(-1);
-  spec.kind = kinds.at(table.kind());
+  spec.anchor_a = center_of(pair.builder, pair.a);
+  spec.anchor_b = center_of(pair.builder, pair.b);
+  spec.kind = value_of<DistanceJoint::Kind>(table.kind());
   if (table.kind() != "rod") spec.softness = softness_of(table);
   if (table.kind() == "spring" && !spec.softness) {
     table.refuse("softness", "given for a spring: softness = { stiffness = 50, damping = 1 }", "nothing");
   }
-  if (table.kind() == "rope") spec.slack_margin = margin_or_enough(pair.builder, table, "slack_margin");
+  if (table.kind() == "rope") spec.slack_margin = enough_margin(pair.builder);
+  table.read(spec);
   pair.join<DistanceJoint>(spec);
 }
 
-/// Of a hinge or a slider.
-template <typename Spec>
-void read_limits(const SceneTable& table, Spec& spec) {
-  spec.lower = number_if_given(table, "lower");
-  spec.upper = number_if_given(table, "upper");
+/// A hinge or a slider: with limits and a motor.
+template <typename Joint>
+void join_driven(const ScenePair& pair, typename Joint::Spec spec) {
+  spec.a = pair.a;
+  spec.b = pair.b;
+  spec.anchor = pair.anchor();
+  pair.table.read(spec);
+  spec.motor = part_of<typename Joint::Motor>(pair.table, "motor");
+  pair.join<Joint>(spec);
 }
 
-void join_revolute(const ScenePair& pair) {
-  const SceneTable& table = pair.table;
-  RevoluteJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor()};
-  read_limits(table, spec);
-  spec.limit_margin = table.number("limit_margin");
-  for (const SceneTable& motor : table.tables("motor")) {
-    spec.motor =
-        RevoluteJoint::Motor{.speed = motor.number("speed"), .max_torque = motor.number("max_torque")};
-  }
-  pair.join<RevoluteJoint>(spec);
-}
+void join_revolute(const ScenePair& pair) { join_driven<RevoluteJoint>(pair, {}); }
 
 void join_prismatic(const ScenePair& pair) {
-  const SceneTable& table = pair.table;
-  PrismaticJoint::Spec spec{.a = pair.a, .b = pair.b, .anchor = pair.anchor(), .axis = table.point("axis")};
-  read_limits(table, spec);
-  spec.limit_margin = margin_or_enough(pair.builder, table, "limit_margin");
-  for (const SceneTable& motor : table.tables("motor")) {
-    spec.motor =
-        PrismaticJoint::Motor{.speed = motor.number("speed"), .max_force = motor.number("max_force")};
-  }
-  pair.join<PrismaticJoint>(spec);
+  join_driven<PrismaticJoint>(pair, {.limit_margin = enough_margin(pair.builder)});
 }
 
 void join_weld(const ScenePair& pair) {
@@ -107,14 +74,9 @@ void join_weld(const ScenePair& pair) {
 }
 
 void join_gear(const ScenePair& pair) {
-  const GearJoint::Mesh meshes[] = {GearJoint::Mesh::external, GearJoint::Mesh::internal};
-  const SceneTable& table = pair.table;
-  pair.join<GearJoint>({.a = pair.a,
-                        .b = pair.b,
-                        .c = pair.builder.names().body(table, "carrier"),
-                        .radius_a = table.number("radius_a"),
-                        .radius_b = table.number("radius_b"),
-                        .mesh = meshes[table.word("mesh")]});
+  GearJoint::Spec spec{.a = pair.a, .b = pair.b, .c = pair.builder.names().body(pair.table, "carrier")};
+  pair.table.read(spec);
+  pair.join<GearJoint>(spec);
 }
 
 void join_differential(const ScenePair& pair) {
@@ -125,43 +87,35 @@ void join_differential(const ScenePair& pair) {
 void join_drag(const ScenePair& pair) {
   const SceneTable& table = pair.table;
   if (pair.b == ground) table.refuse("b", "a body other than the ground");
-  DragJoint::Spec spec{.body = pair.b, .anchor = pair.anchor(), .target = table.point("target")};
+  DragJoint::Spec spec{.body = pair.b, .anchor = pair.anchor()};
   spec.softness = softness_of(table).value_or(spec.softness);
-  spec.max_force = table.number("max_force");
+  table.read(spec);
   pair.join<DragJoint>(spec);
 }
 
 void join_friction(const ScenePair& pair) {
-  const FrictionShape shapes[] = {FrictionShape::circle, FrictionShape::square,
-                                  FrictionShape::aligned_square};
-  const SceneTable& table = pair.table;
   FrictionJoint::Spec spec{.a = pair.a, .b = pair.b};
-  if (table.has("anchor")) spec.anchor = table.point("anchor");
-  spec.max_force = table.number("max_force");
-  spec.max_torque = table.number("max_torque");
-  spec.shape = shapes[table.word("shape")];
+  if (pair.table.has("anchor")) spec.anchor = pair.anchor();
+  pair.table.read(spec);
   pair.join<FrictionJoint>(spec);
 }
 
 void join_pulley(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  PulleyJoint::Spec spec;
-  for (const SceneTable& end : table.tables("ends")) {
-    const BodyId body = builder.names().body(end, "body"), carrier = builder.names().body(end, "carrier");
-    if (carrier == body)
-      end.refuse("carrier", "another body than the end's", builder.names().of_bodies()[carrier]);
-    const bool on_drum = end.word("kind") == 1;
-    if (on_drum && carrier == ground) end.refuse("carrier", "a body that can turn for a drum", "ground");
-    spec.ends.push_back({.body = body,
-                         .anchor = end.point("anchor"),
-                         .roller = end.point("roller"),
-                         .parts = end.number("parts"),
-                         .carrier = carrier,
-                         .kind = on_drum ? PulleyJoint::Roller::drum : PulleyJoint::Roller::smooth});
+  PulleyJoint::Spec spec{.slack_margin = enough_margin(builder)};
+  for (const SceneTable& table_of_end : table.tables("ends")) {
+    PulleyJoint::End end{.body = builder.names().body(table_of_end, "body"),
+                         .carrier = builder.names().body(table_of_end, "carrier")};
+    table_of_end.read(end);
+    if (end.carrier == end.body) {
+      table_of_end.refuse("carrier", "another body than the end's", builder.names().of_bodies()[end.body]);
+    }
+    if (end.kind == PulleyJoint::Roller::drum && end.carrier == ground) {
+      table_of_end.refuse("carrier", "a body that can turn for a drum", "ground");
+    }
+    spec.ends.push_back(end);
   }
-  spec.length = number_if_given(table, "length").value_or(-1);
-  spec.kind = table.word("kind") == 0 ? PulleyJoint::Kind::rope : PulleyJoint::Kind::taut;
-  spec.slack_margin = margin_or_enough(builder, table, "slack_margin");
-  builder.join<PulleyJoint>(table, name, spec, collision_of(table));
+  table.read(spec);
+  builder.join<PulleyJoint>(table, name, spec, value_of<JointCollision>(table.text("collide")));
 }
 
 using ScenePairJoiner = void (*)(const ScenePair&);

@@ -10,13 +10,13 @@ void build_arch(SceneBuilder& builder, const SceneTable& table, const std::strin
   const double inner = radius - thickness / 2, outer = radius + thickness / 2;
   if (!(inner > 0)) table.refuse("thickness", "less than twice the radius");
   const int stones = table.integer("n");
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   spec.position = table.point("position");
   for (int i = 0; i < stones; ++i) {
     const double from = i * pi / stones, to = (i + 1) * pi / stones;  // [rad]
     const Vec2<double> start(cosine(from), sine(from)), end(cosine(to), sine(to));
     table.guard([&] { spec.shapes = {polygon({inner * start, outer * start, outer * end, inner * end})}; });
-    builder.add(table, spec, name + "." + std::to_string(i + 1));
+    builder.add(table, spec, numbered(name, i));
   }
 }
 
@@ -24,7 +24,7 @@ void build_dominoes(SceneBuilder& builder, const SceneTable& table, const std::s
   const Vec2<double> foot = table.point("position"), size = table.point("box");
   const double lean = table.number("lean"), step = table.number("step");
   const int n = table.integer("n");
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   table.guard([&] { spec.shapes = {box(size.x(), size.y())}; });
   for (int i = 0; i < n; ++i) {
     const double x = foot.x() + step * (i - 0.5 * (n - 1));
@@ -34,7 +34,7 @@ void build_dominoes(SceneBuilder& builder, const SceneTable& table, const std::s
       const Vec2<double> from_corner(-size.x() / 2, size.y() / 2);
       spec.position = Vec2<double>(x + size.x() / 2, foot.y()) + Rotation<double>(-lean) * from_corner;
     }
-    builder.add(table, spec, name + "." + std::to_string(i + 1));
+    builder.add(table, spec, numbered(name, i));
   }
 }
 
@@ -45,13 +45,13 @@ void build_cards(SceneBuilder& builder, const SceneTable& table, const std::stri
   const double half_pair = height * s + thick * c;  // [m] from the middle of a pair to its outermost point
   const double pitch = 2 * half_pair + 0.1;
   const int storeys = table.integer("n");
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   int count = 0;
   const auto add = [&](double width, double high, const Vec2<double>& center, double angle) {
     spec.position = center;
     spec.angle = angle;
     table.guard([&] { spec.shapes = {box(width, high)}; });
-    builder.add(table, spec, name + "." + std::to_string(++count));
+    builder.add(table, spec, numbered(name, count++));
   };
   double base = foot.y();
   for (int storey = 0; storey < storeys; ++storey) {

@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
 #include "scenes/scene_builder.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
 
 namespace {
-
-std::string numbered(const std::string& name, int i) { return name + "." + std::to_string(i + 1); }
 
 /// What a stack, a pyramid or a pile is made of.
 struct SceneBlock {
@@ -39,19 +34,14 @@ Shape<double> larger_block(const SceneTable& table, double more) {
   return box(size.x() + more, size.y() + more, table.number("radius"));
 }
 
-/// What joins the bodies of a row, in the order of the key's words.
-enum class RowJoint { none, pin, weld, rod };
-
 void join_neighbours(SceneBuilder& builder, const SceneTable& table, const std::string& name, BodyId a,
                      BodyId b) {
-  const auto kind = static_cast<RowJoint>(table.word("joint"));
   const PerBody<SceneBody>& bodies = builder.scene().bodies();
-  const Vec2<double> from = bodies[a].pose.position, to = bodies[b].pose.position, halfway = (from + to) / 2;
-  if (kind == RowJoint::pin)
-    return builder.join<RevoluteJoint>(table, name, {.a = a, .b = b, .anchor = halfway});
-  if (kind == RowJoint::weld)
-    return builder.join<WeldJoint>(table, name, {.a = a, .b = b, .anchor = halfway});
-  builder.join<DistanceJoint>(table, name, {.a = a, .b = b, .anchor_a = from, .anchor_b = to});
+  DistanceJoint::Spec ends{.a = a, .b = b};
+  ends.anchor_a = bodies[a].pose.position;
+  ends.anchor_b = bodies[b].pose.position;
+  if (table.text("joint") != "rod") ends.anchor_a = (ends.anchor_a + ends.anchor_b) / 2;
+  join_links(builder, table, name, ends);
 }
 
 /// Joins each of `bodies`, n to a row, to the next one of its row, and to that of the next row.
@@ -72,7 +62,7 @@ void join_row(SceneBuilder& builder, const SceneTable& table, const std::string&
 void build_link(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   const Vec2<double> from = table.point("from"), to = table.point("to");
   const Vec2<double> half = (to - from) / 2;
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   spec.position = (from + to) / 2;
   table.guard([&] { spec.shapes = {capsule(-half, half, table.number("radius"))}; });
   builder.add(table, spec, name);
@@ -82,7 +72,7 @@ void build_stack(SceneBuilder& builder, const SceneTable& table, const std::stri
   const SceneBlock block = block_of(table);
   const Vec2<double> foot = table.point("position");
   const double offset = table.number("offset");
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   spec.shapes = shape_of(table);
   for (int i = 0; i < table.integer("n"); ++i) {
     spec.position = {foot.x() + (i % 2 == 0 ? -offset : offset),
@@ -96,7 +86,7 @@ void build_pyramid(SceneBuilder& builder, const SceneTable& table, const std::st
   const Vec2<double> foot = table.point("position");
   const double spacing = table.has("spacing") ? table.number("spacing") : block.width + 0.1;
   const int rows = table.integer("n");
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   spec.shapes = shape_of(table);
   int count = 0;
   for (int level = 0; level < rows; ++level) {
@@ -120,7 +110,7 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
   const List<SceneTable> other = table.tables("other");
   if ((every > 0) == other.empty())
     table.refuse("other", "given together with every, as every says how often");
-  BodySpec spec = moving_matter_of(table);
+  BodySpec spec = body_of(table);
   const List<Shape<double>> usual = shape_of(table);
   const List<Shape<double>> rare = other.empty() ? usual : shape_of(other[0]);
   List<BodyId> bodies;
@@ -132,7 +122,7 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
       bodies.push_back(builder.add(table, spec, numbered(name, bodies.size())));
     }
   }
-  if (static_cast<RowJoint>(table.word("joint")) == RowJoint::none) return;
+  if (table.text("joint") == "none") return;
   builder.later([&builder, table, name, bodies, n] { join_row(builder, table, name, bodies, n); });
 }
 
@@ -143,7 +133,7 @@ void build_pile(SceneBuilder& builder, const SceneTable& table, const std::strin
   const Vec2<double> first = table.point("first"), step = table.point("step");
   const double jitter = table.number("jitter"), spread = table.number("spread");
   const int columns = table.integer("columns"), seed = table.integer("seed");
-  BodySpec spec = matter_of(table);
+  BodySpec spec = body_of(table);
   for (int i = 0; i < table.integer("n"); ++i) {
     const double turns = (seed + i) * golden;
     const double share = turns - std::floor(turns);

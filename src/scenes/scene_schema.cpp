@@ -3,6 +3,7 @@
 #include "math/list.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -16,8 +17,12 @@ const List<SceneKey>& scene_keys() {
   static const List<SceneKey> keys = [] {
     List<SceneKey> all;
     for (const auto& part :
-         {scene_setting_keys, scene_body_keys, scene_joint_keys, scene_event_keys, scene_repeat_keys}) {
-      for (SceneKey& key : part()) all.push_back(std::move(key));
+         {scene_top_keys, scene_step_keys, scene_recommended_keys, scene_body_keys, scene_pair_keys,
+          scene_motor_keys, scene_train_keys, scene_event_keys, scene_block_keys, scene_hanging_keys}) {
+      for (const SceneKey& key : part()) {
+        all.push_back(key);
+        if (key.fallback.empty()) all.back().fallback = key.field.usual;
+      }
     }
     return all;
   }();
@@ -48,20 +53,6 @@ const SceneKey* find_scene_key(const SceneTableKind& kind, const std::string& ke
   return nullptr;
 }
 
-List<std::string> scene_words(const SceneKey& key) {
-  List<std::string> words;
-  std::string word;
-  for (const char letter : key.range + ",") {
-    if (letter == ',') {
-      words.push_back(word);
-      word.clear();
-    } else if (letter != ' ' || !word.empty()) {
-      word += letter;
-    }
-  }
-  return words;
-}
-
 bool has_default(const SceneKey& key) {
   return !key.fallback.empty() && key.fallback != "required" &&
          !std::isupper(static_cast<unsigned char>(key.fallback[0]));
@@ -71,7 +62,7 @@ std::string rule_text(const SceneKey& key) {
   const std::string range = key.range.empty() ? "" : " " + key.range;
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   const std::string of_unit = key.unit.empty() ? "" : key.range.empty() ? " of " + key.unit : unit;
-  switch (key.type) {
+  switch (key.field.type) {
     case SceneType::number:
       return "a number" + range + of_unit;
     case SceneType::integer:
@@ -79,7 +70,7 @@ std::string rule_text(const SceneKey& key) {
     case SceneType::flag:
       return "true or false";
     case SceneType::word:
-      return "one of " + key.range;
+      return fmt::format("one of {}", fmt::join(key.field.words, ", "));
     case SceneType::text:
       return "a text in quotes";
     case SceneType::point:

@@ -8,12 +8,8 @@ namespace cairn {
 
 /// [step], view and gravity.
 SceneSettings scene_settings_of(const SceneTable& file);
-/// [recommended]; what it leaves out is as in the settings of the scene. Where there are joints, block solves
-/// them in 4 substeps unless the file says otherwise: SI takes for ever over the two rows of a pin far from a
-/// light body, and in one solve a step a net of a hundred joints or more comes apart.
+/// [recommended]; what it leaves out is as default_setting() has it, and substeps as in [step] where that says
+/// them.
 Setting recommended_of(const SceneTable& file, const Scene& scene);
-/// [expect], but for its bodies.
-Expectations expectations_of(const SceneTable& file);
-std::optional<SceneCamera> camera_of(const SceneTable& file);
 
 }  // namespace cairn

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <limits>
 #include <stdexcept>
@@ -81,12 +80,7 @@ std::string SceneTable::text(const std::string& key) const {
   const SceneValue* value = value_->find(key);
   const SceneKey& rules = known(key);
   if (!value) return rules.fallback;
-  return rules.type == SceneType::word ? known_word(value->text, scene_words(rules)) : value->text;
-}
-
-int SceneTable::word(const std::string& key) const {
-  const List<std::string> words = scene_words(known(key));
-  return static_cast<int>(std::find(words.begin(), words.end(), text(key)) - words.begin());
+  return rules.field.type == SceneType::word ? known_word(value->text, rules.field.words) : value->text;
 }
 
 Vec2<double> SceneTable::point(const std::string& key) const {
@@ -113,7 +107,7 @@ List<SceneTable> SceneTable::tables(const std::string& key) const {
   const SceneKey& rules = known(key);
   List<SceneTable> all;
   if (!value) return all;
-  if (rules.type == SceneType::table) return {SceneTable(*context_, *value, rules.range, path_of(key))};
+  if (rules.field.type == SceneType::table) return {SceneTable(*context_, *value, rules.range, path_of(key))};
   for (const SceneValue& item : value->items) {
     all.emplace_back(*context_, item, rules.range, fmt::format("{}[{}]", path_of(key), all.size() + 1));
   }

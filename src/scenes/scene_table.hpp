@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "math/math.hpp"
@@ -33,12 +34,13 @@ class SceneTable {
   int integer(const std::string& key) const;
   /// Of a word: as the key lists it.
   std::string text(const std::string& key) const;
-  /// The place of the word among those that the key may have.
-  int word(const std::string& key) const;
   Vec2<double> point(const std::string& key) const;
   List<Vec2<double>> points(const std::string& key) const;
   /// The tables of a key of type table or tables; empty: there is none.
   List<SceneTable> tables(const std::string& key) const;
+  /// Gives all that the file says of members of such a struct to these members; the others stay as they are.
+  template <typename Struct>
+  void read(Struct& into) const;
 
   const SceneContext& context() const { return *context_; }
   SceneMark mark() const { return value_->mark; }
@@ -71,6 +73,24 @@ class SceneTable {
   const SceneTableKind* kind_;
   std::string path_;
 };
+
+template <typename Struct>
+void SceneTable::read(Struct& into) const {
+  for (const SceneKey* key : keys_of(*kind_)) {
+    for (const std::any& reader : key->field.readers) {
+      const auto* const found = std::any_cast<SceneReader<Struct>>(&reader);
+      if (found != nullptr && has(key->key)) (*found)(*this, key->key, into);
+    }
+  }
+}
+
+/// The table under a key as such a struct; none where there is no table.
+template <typename Struct>
+std::optional<Struct> part_of(const SceneTable& table, const std::string& key) {
+  std::optional<Struct> part;
+  for (const SceneTable& inner : table.tables(key)) inner.read(part.emplace(Struct{}));
+  return part;
+}
 
 /// The number of a value that is one, or a sum in quotes. @throws std::invalid_argument.
 double scene_number(const SceneContext& context, const SceneValue& value, const std::string& path,

@@ -36,7 +36,7 @@ void SceneTable::refuse_value(const SceneKey& key, const SceneValue& value, cons
 
 void SceneTable::check_number(const SceneKey& key, const SceneValue& value, const std::string& path) const {
   const double number = scene_number(*context_, value, path, rule_text(key));
-  const bool whole = key.type != SceneType::integer || number == std::floor(number);
+  const bool whole = key.field.type != SceneType::integer || number == std::floor(number);
   if (in_range(key, number) && whole) return;
   std::string got = description(value);
   if (value.kind == SceneValue::Kind::text) got += ", which is " + shortest(number);
@@ -46,7 +46,7 @@ void SceneTable::check_number(const SceneKey& key, const SceneValue& value, cons
 void SceneTable::check_point(const SceneKey& key, const SceneValue& value, const std::string& path) const {
   if (value.kind != SceneValue::Kind::array || value.items.size() != 2) refuse_value(key, value, path);
   SceneKey coordinate = key;
-  coordinate.type = SceneType::number;
+  coordinate.field.type = SceneType::number;
   for (int i = 0; i < 2; ++i) {
     check_number(coordinate, value.items[i], fmt::format("{}[{}]", path, i + 1));
   }
@@ -65,7 +65,7 @@ void SceneTable::check_value(const SceneKey& key, const SceneValue& value, const
   const auto demand = [&](Kind kind) {
     if (value.kind != kind) refuse_value(key, value, path);
   };
-  switch (key.type) {
+  switch (key.field.type) {
     case SceneType::number:
     case SceneType::integer:
       return check_number(key, value, path);
@@ -75,7 +75,7 @@ void SceneTable::check_value(const SceneKey& key, const SceneValue& value, const
       demand(Kind::text);
       return check_text(value, path);
     case SceneType::word: {
-      const List<std::string> words = scene_words(key);
+      const List<std::string>& words = key.field.words;
       if (value.kind == Kind::text && !known_word(value.text, words).empty()) return;
       const std::string near = value.kind == Kind::text ? nearest(value.text, words) : "";
       const std::string hint = near.empty() ? "" : " (" + near + "?)";

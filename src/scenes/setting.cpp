@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "math/check.hpp"
 #include "math/nearest.hpp"
 #include "scenes/solver_list.hpp"
@@ -19,23 +21,15 @@ std::string sweeps_text(const SolverSettings& sweeps) {
   if (sweeps.relaxation != usual.relaxation) text += fmt::format(" omega {:g}", sweeps.relaxation);
   if (sweeps.patience != usual.patience) text += fmt::format(" patience {}", sweeps.patience);
   if (sweeps.time_budget > 0) text += fmt::format(" within {:g} s", sweeps.time_budget);
-  switch (sweeps.order) {
-    case RowOrder::as_written:
-      break;
-    case RowOrder::reverse:
-      return text + " reverse";
-    case RowOrder::alternating:
-      return text + " alternating";
-    case RowOrder::shuffled:
-      return text + fmt::format(" shuffled {}", sweeps.seed);
-    case RowOrder::coloured:
-      return text + " coloured";
-  }
+  if (sweeps.order != usual.order) text += ' ' + word_of(sweeps.order);
+  if (sweeps.order == RowOrder::shuffled) text += fmt::format(" {}", sweeps.seed);
   return text;
 }
 
-std::string precision_text(Precision scalar) {
-  return scalar == Precision::single_precision ? "float" : "double";
+/// A word in a sentence: "split impulse".
+std::string spaced(std::string word) {
+  std::replace(word.begin(), word.end(), '-', ' ');
+  return word;
 }
 
 /// What differs from the usual spring.
@@ -48,40 +42,10 @@ std::string spring_text(const SwingSoftness& spring, const SwingSoftness& usual)
 
 }  // namespace
 
-const List<std::string>& precision_words() {
-  static const List<std::string> words = {"float", "double"};
-  return words;
-}
-
-const List<std::string>& stabilization_words() {
-  static const List<std::string> words = {"none", "baumgarte", "relaxed", "soft", "split-impulse"};
-  return words;
-}
-
-const List<std::string>& contact_search_words() {
-  static const List<std::string> words = {"every-substep", "every-step", "when-moved"};
-  return words;
-}
-
 std::string stabilization_text(const Stabilization& stabilization) {
   const Stabilization usual;
-  std::string text;
-  switch (stabilization.policy) {
-    case StabilizationPolicy::none:
-      return "none";
-    case StabilizationPolicy::baumgarte:
-      text = "baumgarte";
-      break;
-    case StabilizationPolicy::relaxed:
-      text = "relaxed";
-      break;
-    case StabilizationPolicy::soft:
-      text = "soft";
-      break;
-    case StabilizationPolicy::split_impulse:
-      text = "split impulse";
-      break;
-  }
+  std::string text = spaced(word_of(stabilization.policy));
+  if (stabilization.policy == StabilizationPolicy::none) return text;
   if (stabilization.policy == StabilizationPolicy::soft) {
     text += spring_text(stabilization.soft, usual.soft);
     const std::string of_joints = spring_text(stabilization.joint_soft, usual.joint_soft);
@@ -97,15 +61,15 @@ std::string stabilization_text(const Stabilization& stabilization) {
 std::string setting_text(const Setting& setting) {
   std::string rate = fmt::format("{:.6g} Hz", 1 / setting.dt);
   if (setting.substeps != 1) rate += fmt::format(" x{}", setting.substeps);
-  if (setting.contact_search == ContactSearch::every_step) rate += ", contacts every step";
-  if (setting.contact_search == ContactSearch::when_moved) rate += ", contacts when moved";
+  if (setting.contact_search != ContactSearch::every_substep)
+    rate += ", contacts " + spaced(word_of(setting.contact_search));
   const std::string cold = setting.warm_start ? "" : ", cold";
   if (setting.solver == "box2d") {
     return fmt::format("box2d x{}+{}, {}, float{}", setting.sweeps.iterations, setting.position_iterations,
                        rate, cold);
   }
   return fmt::format("{}{}, {}, {}, {}{}", setting.solver, sweeps_text(setting.sweeps), rate,
-                     stabilization_text(setting.stabilization), precision_text(setting.scalar), cold);
+                     stabilization_text(setting.stabilization), word_of(setting.scalar), cold);
 }
 
 std::string solver_refusal(const Setting& setting) {
@@ -116,13 +80,9 @@ std::string solver_refusal(const Setting& setting) {
 }
 
 void check(const Setting& setting) {
-  List<std::string> known;
-  for (const SolverEntry& entry : solver_entries()) known.push_back(entry.name);
-  known.push_back(opencl_jacobi_entry().name);
-  if (has_box2d()) known.push_back("box2d");
   const std::string refusal = solver_refusal(setting);
   require(refusal.empty(), "Setting", "solver", refusal, setting.solver);
-  require_known(setting.solver, known, "Setting", "solver");
+  require_known(setting.solver, contestant_names(), "Setting", "solver");
   check(setting.sweeps, "Setting");
   require(setting.position_iterations >= 0, "Setting", "position_iterations", ">= 0",
           setting.position_iterations);
@@ -144,6 +104,13 @@ bool has_box2d() {
 #else
   return false;
 #endif
+}
+
+List<std::string> contestant_names() {
+  List<std::string> names = solver_names();
+  names.push_back(opencl_jacobi_entry().name);
+  if (has_box2d()) names.push_back(box2d_entry().name);
+  return names;
 }
 
 }  // namespace cairn

@@ -4,21 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
+#include "scenes/named.hpp"
 #include "solvers/solver.hpp"
 #include "world/scene.hpp"
 
 namespace cairn {
-
-/// What a world computes in.
-enum class Precision { single_precision, double_precision };
-
-/// What scene files, flags and the playground call them, in the order of the enumeration.
-const List<std::string>& precision_words();
-/// The same for StabilizationPolicy.
-const List<std::string>& stabilization_words();
-/// The same for ContactSearch.
-const List<std::string>& contact_search_words();
 
 /// A solver, how often it may sweep, and how the world steps. Box2D 2.4.1 is one more contestant, "box2d":
 /// sweeps.iterations are its velocity iterations, a step is `substeps` steps of dt / substeps, it always
@@ -57,5 +47,7 @@ std::string solver_refusal(const Setting& setting);
 
 /// Whether "box2d" can be asked for.
 bool has_box2d();
+/// All that Setting::solver may be here: the solvers, "opencl-jacobi", and "box2d" where it can be asked for.
+List<std::string> contestant_names();
 
 }  // namespace cairn

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -11,7 +12,8 @@
 
 namespace cairn {
 
-/// What a table or a list of choices says of a solver, and which of its settings mean anything to it.
+/// All there is to know of a solver but for its code: how it is made, what tables and lists of choices say of
+/// it, what its work costs, and which settings mean anything to it.
 struct SolverEntry {
   static constexpr int no_limit = std::numeric_limits<int>::max();
 
@@ -22,12 +24,18 @@ struct SolverEntry {
   /// How many updates of each row one of its iterations counts for, where work is counted: a linear system
   /// for as many as the sweeps of SequentialImpulse that take as long, between 5 in a stack and 40 in a grid.
   int updates_a_row = 1;
+  /// What a sweep costs, or a solve without sweeps: in sweeps of sequential impulses. Only orders searches.
+  double work_of_a_sweep = 1;
+  int most_tried_sweeps = 256;  // by a tuner
+  bool tuned = false;           // whether a tuner tries it if nobody says which
   bool uses_sweeps = true;      // SolverSettings::iterations
   bool uses_order = true;       // SolverSettings::order
   bool uses_relaxation = true;  // SolverSettings::relaxation
   bool uses_warm_start = true;  // the impulses of the last step
   /// Setting::scalar, stabilization, contact_search: those of a world of Cairn.
   bool uses_world = true;
+  std::function<std::unique_ptr<Solver<float>>(const SolverSettings&)> make_float = {};
+  std::function<std::unique_ptr<Solver<double>>(const SolverSettings&)> make_double = {};
 };
 
 /// Row updates of so many rows times iterations, by SolverEntry::updates_a_row, and of rows times extra
@@ -37,6 +45,9 @@ std::int64_t counted_updates(const SolverEntry& solver, std::int64_t row_iterati
 
 /// All of them, the plainest first.
 const List<SolverEntry>& solver_entries();
+
+/// Their names, behind those that are given.
+List<std::string> solver_names(List<std::string> names = {});
 
 /// "opencl-jacobi", OpenClJacobi. It is not one of solver_entries(): every build and every machine has those.
 const SolverEntry& opencl_jacobi_entry();

@@ -64,10 +64,6 @@ std::string uniqueness_word(Uniqueness unique) {
 
 std::string start_word(Start start) { return start == Start::warm ? "warm" : "cold"; }
 
-std::string scalar_word(Precision scalar) {
-  return scalar == Precision::single_precision ? "float" : "double";
-}
-
 void set_error(TradeRow& row, const AnswerError<double>& error) {
   row.set("R_E", error.from_impulses.energy);
   row.set("R_E_v", error.returned.energy);
@@ -85,7 +81,7 @@ List<CsvCell> solve_row(KnownProblem& known, const SolveChoice& choice, const So
   const SolveOutcome outcome = try_solver(problem, choice, known.truth, timing);
   TradeRow row;
   set_build(row);
-  row.set("scalar", scalar_word(choice.scalar));
+  row.set("scalar", word_of(choice.scalar));
   row.set("scene", known.frozen.name);
   row.set("scene_hash", hexadecimal(known.fingerprint));
   row.set("level", 1LL);
@@ -138,7 +134,7 @@ Study solve_study(const List<FrozenProblem>& problems, const SolveGrid& grid) {
   study.name += fmt::format("; up to {} sweeps,", grid.most_sweeps);
   for (const Start start : grid.starts) study.name += " " + start_word(start);
   study.name += ", in";
-  for (const Precision scalar : grid.scalars) study.name += " " + scalar_word(scalar);
+  for (const Precision scalar : grid.scalars) study.name += " " + word_of(scalar);
   study.name += fmt::format("; {} timings;", grid.timing.repetitions);
   for (const FrozenProblem& problem : problems) {
     study.name += " " + problem.name;

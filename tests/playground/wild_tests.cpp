@@ -11,6 +11,7 @@
 
 #include "math/list.hpp"
 #include "lessons/playground/interface.h"
+#include "scenes/solver_list.hpp"
 
 namespace {
 
@@ -38,7 +39,7 @@ class Chance {
   int count() { return below(4) > 0 ? 1 + below(12) : one_of<int>({0, -1, 100001, 2147483647, -2147483647}); }
   const char* text() { return one_of<const char*>(texts); }
   const char* setting() { return below(5) > 0 ? one_of<const char*>(settings) : text(); }
-  const char* value() { return below(5) > 0 ? one_of<const char*>(values) : text(); }
+  const char* value() { return below(5) > 0 ? values[below(values.size())].c_str() : text(); }
 
  private:
   const List<const char*> texts = {
@@ -55,40 +56,12 @@ class Chance {
       "[ground]\n[[stack]]\nn = 2\nbox = [1, 1]\n[recommended]\ntime_budget = 1e-9\niterations = 1000000\n"};
   const List<const char*> settings = {"solver", "other", "sweeps", "warm",     "friction", "mass-ratio",
                                       "policy", "beta",  "rate",   "substeps", "search",   "numbers"};
-  const List<const char*> values = {"si",
-                                    "pgs",
-                                    "jacobi",
-                                    "block",
-                                    "accelerated",
-                                    "wide",
-                                    "wide-accelerated",
-                                    "newton",
-                                    "reference",
-                                    "none",
-                                    "0",
-                                    "1",
-                                    "3",
-                                    "10",
-                                    "100",
-                                    "0.2",
-                                    "1.5",
-                                    "1000",
-                                    "on",
-                                    "off",
-                                    "as-in-scene",
-                                    "soft",
-                                    "relaxed",
-                                    "baumgarte",
-                                    "split-impulse",
-                                    "when-moved",
-                                    "every-step",
-                                    "every-substep",
-                                    "float",
-                                    "double",
-                                    "nan",
-                                    "inf",
-                                    "-1",
-                                    "1e400"};
+  const List<std::string> values =
+      cairn::solver_names({"none",          "0",           "1",          "3",       "10",
+                           "100",           "0.2",         "1.5",        "1000",    "on",
+                           "off",           "as-in-scene", "soft",       "relaxed", "baumgarte",
+                           "split-impulse", "when-moved",  "every-step", "float",   "double",
+                           "every-substep", "nan",         "inf",        "-1",      "1e400"});
 
   std::mt19937 engine_;
 };

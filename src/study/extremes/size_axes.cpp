@@ -33,10 +33,6 @@ struct Distance {
   double x = 0;  // [m]
 };
 
-std::string scalar_text(Precision scalar) {
-  return scalar == Precision::single_precision ? "float" : "double";
-}
-
 /// [m] between neighbouring numbers at x.
 double spacing_at(const Distance& distance) {
   return in_scalar(distance.scalar, [&](auto real) {
@@ -68,7 +64,7 @@ List<ExtremeCase> distance_cases() {
   for (const Distance& distance : distances()) {
     for (ExtremeSetting tried : usual_settings()) {
       tried.setting.scalar = distance.scalar;
-      cases.add(fmt::format("{:g} m in {}", distance.x, scalar_text(distance.scalar)), tried,
+      cases.add(fmt::format("{:g} m in {}", distance.x, word_of(distance.scalar)), tried,
                 required_of_distance(distance),
                 [x = distance.x](const Setting& setting) { return as_at_the_origin(x, setting); });
     }

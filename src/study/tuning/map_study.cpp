@@ -100,7 +100,6 @@ List<CsvCell> map_row(const MapScene& entry, const Setting& setting) {
   };
   const TrialResult run = run_trial(nth_start(as_made, scene.stand_distance > 0 ? 1 : 0), setting, options);
   const double seconds = run.seconds > 0 ? run.seconds : 1;
-  const bool is_single = setting.scalar == Precision::single_precision;
   return {scene.name,
           entry.family,
           short_cell(entry.value),
@@ -109,7 +108,7 @@ List<CsvCell> map_row(const MapScene& entry, const Setting& setting) {
           static_cast<long long>(setting.substeps),
           static_cast<long long>(setting.sweeps.iterations),
           stabilization_text(setting.stabilization),
-          std::string(is_single ? "float" : "double"),
+          word_of(setting.scalar),
           watch.status(run),
           short_cell(static_cast<double>(run.rows) / seconds),
           short_cell(static_cast<double>(run.row_updates) / seconds),
@@ -151,7 +150,8 @@ List<Setting> map_settings() {
 }
 
 double counted_work(const std::string& solver, double updates, double rows) {
-  const double weight = work_of_a_sweep(solver) / solver_entry(solver).updates_a_row;
+  const SolverEntry& entry = solver_entry(solver);
+  const double weight = entry.work_of_a_sweep / entry.updates_a_row;
   return weight * updates + work_of_a_step * rows;
 }
 

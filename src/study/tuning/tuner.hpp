@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "study/trial.hpp"
 #include "math/list.hpp"
+#include "study/trial.hpp"
 
 namespace cairn {
 
@@ -50,9 +50,11 @@ struct Candidate {
   bool list_exhausted = false;
 };
 
+/// The names of all that are tried unless others are named.
+List<std::string> tuned_solvers();
+
 struct TunerOptions {
-  List<std::string> solvers = {"si",    "wide", "block", "block-contact", "accelerated", "wide-accelerated",
-                               "newton"};
+  List<std::string> solvers = tuned_solvers();
   bool has_joints = false;  // of the scene: the policy relaxed is tried, which without them is Baumgarte
   int starts = 16;          // of each setting that is to be trusted
   int runners_up = 4;       // that are to be found beside the best
@@ -87,8 +89,7 @@ List<Setting> box2d_settings();
 /// About how much work a second of the setting is: sweeps, weighed by what they cost, with what a step costs
 /// without any. Only orders the search; what is reported is measured.
 double expected_work(const Setting& setting);
-/// What a sweep of the solver costs, in sweeps of sequential impulses, and what all else of a step does.
-double work_of_a_sweep(const std::string& solver);
+/// What all of a step costs but its sweeps, in sweeps of sequential impulses.
 inline constexpr double work_of_a_step = 10;
 
 /// Tries settings in the order of their expected work, each from start 0 first and, if that meets the wish,

@@ -12,13 +12,6 @@ namespace cairn {
 
 namespace {
 
-/// In level 2 of the study no scene that newton loses with 1 to 16 linear systems a step, at a step of the
-/// grid, is held with 32 or 64: none of 738.
-int most_sweeps_of(const std::string& solver) {
-  if (solver == "reference") return 1;
-  return solver == "newton" ? 16 : 256;
-}
-
 void sort_by_work(List<Setting>& settings) {
   std::stable_sort(settings.begin(), settings.end(),
                    [](const Setting& a, const Setting& b) { return expected_work(a) < expected_work(b); });
@@ -26,22 +19,22 @@ void sort_by_work(List<Setting>& settings) {
 
 }  // namespace
 
-double work_of_a_sweep(const std::string& solver) {
-  if (solver == "block" || solver == "block-contact") return 1.6;
-  if (solver == "accelerated") return 1.3;
-  if (solver == "wide") return 0.15;
-  if (solver == "wide-accelerated") return 0.3;
-  if (solver == "pgs-sparse") return 1.8;
-  return solver == "box2d" ? 1 : solver_entry(solver).updates_a_row;
+List<std::string> tuned_solvers() {
+  List<std::string> names;
+  for (const SolverEntry& entry : solver_entries()) {
+    if (entry.tuned) names.push_back(entry.name);
+  }
+  return names;
 }
 
 double expected_work(const Setting& setting) {
   const double steps = setting.substeps / setting.dt;
-  if (setting.solver == "reference") return steps * 2000;
+  const SolverEntry& solver = solver_entry(setting.solver);
+  if (!solver.uses_sweeps) return steps * solver.work_of_a_sweep;
   const StabilizationPolicy policy = setting.stabilization.policy;
   const bool twice = policy == StabilizationPolicy::relaxed || policy == StabilizationPolicy::soft ||
                      policy == StabilizationPolicy::split_impulse;
-  const double sweeps = (twice ? 2 : 1) * setting.sweeps.iterations * work_of_a_sweep(setting.solver);
+  const double sweeps = (twice ? 2 : 1) * setting.sweeps.iterations * solver.work_of_a_sweep;
   return steps * (work_of_a_step + sweeps);
 }
 
@@ -54,7 +47,7 @@ List<Setting> tuner_settings(const List<std::string>& solvers, bool has_joints) 
     const List<Setting> own = settings_of({.solvers = {solver},
                                            .frequencies = {60, 120, 240},
                                            .substeps = {1, 2, 4, 8, 16},
-                                           .sweeps = doubled(1, most_sweeps_of(solver)),
+                                           .sweeps = doubled(1, solver_entry(solver).most_tried_sweeps),
                                            .policies = policies});
     settings.insert(settings.end(), own.begin(), own.end());
   }
