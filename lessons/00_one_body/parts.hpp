@@ -2,7 +2,7 @@
 #pragma once
 
 #include "flight.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 
 namespace cairn::one_body {

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "collision/collide.hpp"
-#include "lessons/random.hpp"
+#include "lessons/kit/random.hpp"
 #include "math/list.hpp"
 #include "rod.hpp"
 

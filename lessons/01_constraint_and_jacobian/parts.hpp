@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "rod.hpp"
 

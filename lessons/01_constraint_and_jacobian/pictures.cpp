@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"

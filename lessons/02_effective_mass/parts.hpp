@@ -1,7 +1,7 @@
 // Lesson 02. What it prints, checks and draws.
 #pragma once
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "peg.hpp"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "drift.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "render/page.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lessons/tower_panel.hpp"
+#include "lessons/kit/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"

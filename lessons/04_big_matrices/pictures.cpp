@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "render/draw.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/matrix.hpp"

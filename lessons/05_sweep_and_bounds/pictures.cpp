@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lessons/question.hpp"
-#include "lessons/stack_panel.hpp"
+#include "lessons/kit/question.hpp"
+#include "lessons/kit/stack_panel.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
 #include "render/matrix.hpp"

@@ -7,8 +7,8 @@
 #include <functional>
 #include <memory>
 
-#include "lessons/stack_panel.hpp"
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
+#include "lessons/kit/stack_panel.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
 #include "render/plot.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "lessons/random.hpp"
+#include "lessons/kit/random.hpp"
 
 namespace cairn::stack {
 

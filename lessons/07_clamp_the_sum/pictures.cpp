@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "render/bars.hpp"
 #include "render/draw.hpp"

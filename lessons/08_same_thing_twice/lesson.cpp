@@ -3,7 +3,7 @@
 // the two bodies of the row how they move by now. Equation (26) says that both hear the same. So we compute
 // every update of the first sweep both ways, and with the step (29) between them, and look for the digit in
 // which they part; then we run the library's two solvers for many sweeps in three precisions.
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 #include <fmt/format.h>
 

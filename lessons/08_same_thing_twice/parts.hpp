@@ -1,7 +1,7 @@
 // Lesson 08. What it prints, checks and draws.
 #pragma once
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "twice.hpp"
 

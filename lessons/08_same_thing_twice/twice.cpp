@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lessons/random.hpp"
+#include "lessons/kit/random.hpp"
 
 namespace cairn::twice {
 

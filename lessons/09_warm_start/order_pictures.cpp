@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/tower_panel.hpp"
+#include "lessons/kit/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"

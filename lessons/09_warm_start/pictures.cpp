@@ -6,8 +6,8 @@
 #include <memory>
 #include <set>
 
-#include "lessons/question.hpp"
-#include "lessons/tower_panel.hpp"
+#include "lessons/kit/question.hpp"
+#include "lessons/kit/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/plot.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 #include "validation/column.hpp"
 

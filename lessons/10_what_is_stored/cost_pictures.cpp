@@ -1,7 +1,7 @@
 // Memory and work against the number of rows, and a scene where A has no zeros.
 #include <fmt/format.h>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"

@@ -3,7 +3,7 @@
 // through all pairs of rows of a few pyramids and count: the pairs that have an entry in A, those that (30)
 // counts, and those that share a body which can move, for which a sparse A needs room. Then the solvers say
 // themselves what they keep, and three pairs of rows show where (30) goes wrong.
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 #include <fmt/format.h>
 

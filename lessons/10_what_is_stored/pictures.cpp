@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"

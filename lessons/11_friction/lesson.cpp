@@ -4,7 +4,7 @@
 // pushes, and one along the surface, which stops the sliding if mu times what the normal row gives is enough.
 // How much that is, is not known before the solve. So the bound is looked up whenever the row is visited, and
 // whether the block sticks or slides is decided by a clamp.
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 #include <fmt/core.h>
 

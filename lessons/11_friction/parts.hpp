@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "study.hpp"
 

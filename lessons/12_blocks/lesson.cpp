@@ -4,7 +4,7 @@
 // next one spoils. Instead of dividing by A_ii, row after row, sequential impulses may solve with the small
 // square of A that belongs to the joint. The loop stays as it is; only the step in it grows from a number to
 // a block. Where does that save sweeps, where does it not, and where does it hold what rows cannot?
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 #include <fmt/format.h>
 

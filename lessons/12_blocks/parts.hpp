@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "blocks.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 
 namespace cairn::blocks {

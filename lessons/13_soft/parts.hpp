@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "render/camera.hpp"
 #include "spring.hpp"

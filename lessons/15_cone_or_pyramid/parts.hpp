@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "slide.hpp"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <set>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "panels.hpp"
 #include "parts.hpp"

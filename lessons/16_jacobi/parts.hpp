@@ -4,7 +4,7 @@
 #include <string>
 
 #include "feet.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "pile.hpp"
 #include "render/camera.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 namespace cairn::everybody {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <set>
 
-#include "lessons/tower_panel.hpp"
+#include "lessons/kit/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/draw.hpp"

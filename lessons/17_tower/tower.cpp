@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"
 #endif

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cost.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 
 namespace cairn::cost {

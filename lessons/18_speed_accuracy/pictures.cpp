@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/question.hpp"
-#include "lessons/tower_panel.hpp"
+#include "lessons/kit/question.hpp"
+#include "lessons/kit/tower_panel.hpp"
 #include "math/list.hpp"
 #include "parts.hpp"
 #include "render/plot.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "limits.hpp"
 #include "math/list.hpp"
 #include "ratio.hpp"

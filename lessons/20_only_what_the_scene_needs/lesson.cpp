@@ -3,7 +3,7 @@
 // do nothing. Seven runs of the same scene leave something out, each something else: rows of friction, sweeps
 // after the error is small, the wait of one island for another, all rows of what sleeps. What each run saves
 // is counted, and how far it goes another way than a run that leaves nothing out.
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 #include <fmt/format.h>
 

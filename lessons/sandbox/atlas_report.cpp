@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 #include "lessons/sandbox/atlas_chart.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/progress_line.hpp"

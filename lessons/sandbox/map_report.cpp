@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 #include "lessons/sandbox/map_chart.hpp"
 #include "lessons/sandbox/trade_report.hpp"
 #include "measure/whole_file.hpp"

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/map_report.hpp"
 #include "lessons/sandbox/profile_chart.hpp"
 #include "lessons/sandbox/trade_chart.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "measure/whole_file.hpp"
 #include "render/image.hpp"

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "frozen/frozen_set.hpp"
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/trade_chart.hpp"
-#include "lessons/words.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trajectory_study.hpp"

@@ -7,12 +7,12 @@
 
 #include "extremes/extreme.hpp"
 #include "extremes/extreme_study.hpp"
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/atlas_report.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "math/nearest.hpp"
 

@@ -7,13 +7,13 @@
 #include <sstream>
 
 #include "frozen/frozen_set.hpp"
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/trade_report.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "study/trajectory_study.hpp"
 

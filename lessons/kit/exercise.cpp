@@ -1,5 +1,5 @@
 // What stands around the grading of an exercise.
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "lessons/output.hpp"
+#include "lessons/kit/output.hpp"
 #include "lessons/reader_code/verdict.hpp"
 
 namespace cairn {

@@ -1,11 +1,11 @@
 // Reads the command line with CLI11, the only file that knows it; every word of a complaint is our own.
-#include "lessons/arguments.hpp"
+#include "lessons/kit/arguments.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/check.hpp"
 
 namespace cairn {

@@ -12,7 +12,7 @@
 #include <functional>
 #include <string>
 
-#include "lessons/grading.hpp"
+#include "lessons/kit/grading.hpp"
 #include "math/list.hpp"
 
 namespace cairn {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "lessons/arguments.hpp"
-#include "lessons/claims.hpp"
-#include "lessons/film.hpp"
+#include "lessons/kit/arguments.hpp"
+#include "lessons/kit/claims.hpp"
+#include "lessons/kit/film.hpp"
 #include "math/list.hpp"
 #include "measure/csv.hpp"
 

@@ -1,5 +1,5 @@
 // Towers with bars beside them.
-#include "lessons/tower_panel.hpp"
+#include "lessons/kit/tower_panel.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // Judges claims and sets them in columns.
-#include "lessons/claims.hpp"
+#include "lessons/kit/claims.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 
 namespace cairn {
 namespace {

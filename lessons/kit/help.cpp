@@ -1,11 +1,11 @@
 // The texts of --help, --about and --list-params.
-#include "lessons/help.hpp"
+#include "lessons/kit/help.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
 

@@ -1,5 +1,5 @@
 // Terminals: who has one, and what it can do.
-#include "lessons/console.hpp"
+#include "lessons/kit/console.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <iostream>
 #include <utility>
 
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/printable.hpp"
 
 namespace cairn {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/card.hpp"
+#include "lessons/kit/card.hpp"
 #include "math/list.hpp"
 #include "measure/csv.hpp"
 #include "render/page.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lessons/arguments.hpp"
+#include "lessons/kit/arguments.hpp"
 #include "math/list.hpp"
 #include "render/image.hpp"
 #include "render/page.hpp"

@@ -1,5 +1,5 @@
 // The two ends of every push at the left of a stack, velocities at its right.
-#include "lessons/stack_panel.hpp"
+#include "lessons/kit/stack_panel.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Reading numbers, comparing words, spelling Greek out.
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 // Begins the program of an exercise in place of a main(), which its reader may have written: the linker
 // leaves that one alone. CAIRN_EXERCISE is the namespace of the exercise, CAIRN_EXERCISE_FILE its
 // exercise.cpp.
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::CAIRN_EXERCISE {
 Exercise exercise();

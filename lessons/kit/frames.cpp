@@ -1,5 +1,5 @@
 // Frame numbers: from 1 at the front, from -1 at the back.
-#include "lessons/frames.hpp"
+#include "lessons/kit/frames.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 // From shots to numbered files.
-#include "lessons/film.hpp"
+#include "lessons/kit/film.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,9 @@
 #include <system_error>
 #include <utility>
 
-#include "lessons/frames.hpp"
-#include "lessons/picture.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/frames.hpp"
+#include "lessons/kit/picture.hpp"
+#include "lessons/kit/words.hpp"
 #include "measure/whole_file.hpp"
 #include "render/lint.hpp"
 #include "render/sequence.hpp"

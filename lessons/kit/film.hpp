@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "lessons/arguments.hpp"
-#include "lessons/console.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/arguments.hpp"
+#include "lessons/kit/console.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 
 namespace cairn {

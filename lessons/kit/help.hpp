@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "lessons/arguments.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/arguments.hpp"
+#include "lessons/kit/lesson.hpp"
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Runs a lesson: narration, claims, pictures, data, and the exit code that sums it all up.
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 
 #include <fmt/format.h>
 
@@ -10,14 +10,14 @@
 #include <optional>
 #include <utility>
 
-#include "lessons/arguments.hpp"
-#include "lessons/claims.hpp"
-#include "lessons/console.hpp"
-#include "lessons/film.hpp"
-#include "lessons/help.hpp"
-#include "lessons/output.hpp"
-#include "lessons/records.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/arguments.hpp"
+#include "lessons/kit/claims.hpp"
+#include "lessons/kit/console.hpp"
+#include "lessons/kit/film.hpp"
+#include "lessons/kit/help.hpp"
+#include "lessons/kit/output.hpp"
+#include "lessons/kit/records.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/check.hpp"
 #include "math/printable.hpp"
 #include "measure/fingerprint.hpp"

@@ -1,7 +1,7 @@
 // Words of the card beside a scene.
-#include "lessons/question.hpp"
+#include "lessons/kit/question.hpp"
 
-#include "lessons/arguments.hpp"
+#include "lessons/kit/arguments.hpp"
 
 namespace cairn {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/console.hpp"
-#include "lessons/frames.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/kit/console.hpp"
+#include "lessons/kit/frames.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 
 namespace cairn {

@@ -1,10 +1,10 @@
 // JSON and CSV texts of a run.
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/check.hpp"
 
 namespace cairn {

@@ -1,5 +1,5 @@
 // One frame of a lesson as a file.
-#include "lessons/picture.hpp"
+#include "lessons/kit/picture.hpp"
 
 #include <algorithm>
 #include <cctype>

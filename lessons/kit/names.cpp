@@ -1,5 +1,5 @@
 // What a lesson is called, and the flags that all lessons have.
-#include "lessons/arguments.hpp"
+#include "lessons/kit/arguments.hpp"
 #include "math/list.hpp"
 
 namespace cairn {
