@@ -1,8 +1,5 @@
 // Lesson 00. One box in free flight: as Cairn steps it, by explicit Euler, and exactly.
-#include "flight.hpp"
-
-#include <algorithm>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::one_body {
 

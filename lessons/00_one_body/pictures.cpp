@@ -1,21 +1,10 @@
 // Lesson 00. The pictures of the flight.
-#include <fmt/core.h>
-
-#include <cmath>
-#include <memory>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
-#include "scene.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_body {
 
 namespace {
 
-using namespace render;
 using SharedStory = std::shared_ptr<const Story>;
 
 double height(const List<Vec2<double>>& path, int step) { return path[step].y(); }

@@ -1,17 +1,7 @@
 // Lesson 00. The flight in lines and rows, and what has to be true of it.
-#include "parts.hpp"
-
-#include <fmt/core.h>
-
-#include <cmath>
-
-#include "geometry/mass.hpp"
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_body {
-
-using render::fixed;
-using render::significant;
 
 void tell_scene(Lesson& lesson, const Flight& flight) {
   const Throw& thrown = flight.thrown;
@@ -48,8 +38,8 @@ void tell_convergence(Lesson& lesson, const Convergence& c) {
   lesson.print("after the same time:  Δt (s)   semi-implicit (m)   explicit (m)");
   for (int i = 0; i < c.dt.size(); ++i) {
     lesson.print(fmt::format("                   {:>9} {:>19} {:>14}", significant(c.dt[i], 4),
-                             fixed(c.semi_implicit[i], 6, render::Sign::always),
-                             fixed(c.explicit_euler[i], 6, render::Sign::always)));
+                             fixed(c.semi_implicit[i], 6, Sign::always),
+                             fixed(c.explicit_euler[i], 6, Sign::always)));
   }
 }
 

@@ -1,18 +1,7 @@
 // Lesson 00. The flight so far, where its three methods are, and how far they miss.
-#include "scene.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_body {
-
-using namespace render;
 
 namespace {
 

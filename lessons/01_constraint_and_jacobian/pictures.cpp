@@ -1,25 +1,9 @@
 // The frames: c and its level curves, j by small moves, j·v for several motions, f, and the answer.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::significant;
 
 struct Story {
   Rod rod = {};
@@ -48,10 +32,10 @@ void draw_where(Page& page, const Story& story) {
                                                             {"1 m along the rod", {along.x(), along.y(), 0}},
                                                             {"turned by 1 rad", {0, 0, 1}}};
   RodLook look{.pose = rod.pose, .close = true, .errors = true, .circles = true};
-  render::TableView table{.header = {"the box, moved", "c"}, .rows = {{"not at all", "0 m"}}};
+  TableView table{.header = {"the box, moved", "c"}, .rows = {{"not at all", "0 m"}}};
   for (const auto& [name, move] : moves) {
     look.others.push_back(carried(rod.pose, move, 1));
-    table.rows.push_back({name, fixed(error_at(rod, look.others.back()), 2, render::Sign::always) + " m"});
+    table.rows.push_back({name, fixed(error_at(rod, look.others.back()), 2, Sign::always) + " m"});
   }
   const List<Rect> parts = draw_scene(page, rod, look, 0.42);
   const Vec2<double>& p = rod.settings.anchor;
@@ -68,7 +52,7 @@ void draw_jacobian(Page& page, const Story& story) {
   const List<Rect> parts =
       draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.24);
   const List<Rect> below = rows(parts[1], {0.5, 0.5}, page.sizes().gap);
-  const render::MatrixView view{.values = rod.jacobian.transpose(), .column_names = {"x", "y", "θ"}};
+  const MatrixView view{.values = rod.jacobian.transpose(), .column_names = {"x", "y", "θ"}};
   const Rect inside = page.panel(parts[0], "j: one row, three numbers for the box");
   draw_matrix(page, {inside.x + 0.3 * inside.width, inside.y, 0.7 * inside.width, inside.height}, view);
   const Vec3<double>& j = rod.jacobian;
@@ -79,7 +63,7 @@ void draw_jacobian(Page& page, const Story& story) {
                                                   significant(rod.arm.y())),
                            .result = fmt::format("r × u = {} m", significant(j.z())),
                            .algorithm = "u: along the rod; r: from the centre to the anchor"});
-  const auto per_mille = [](double slope) { return fixed(slope, 2, render::Sign::always) + " mm"; };
+  const auto per_mille = [](double slope) { return fixed(slope, 2, Sign::always) + " mm"; };
   page.table(below[1], "three slopes",
              {.header = {"a small move", "c grows by"},
               .rows = {{"1 mm to the right", per_mille(j.x())},
@@ -91,7 +75,7 @@ void draw_jacobian(Page& page, const Story& story) {
 void draw_nudge(Page& page, const Rod& rod, int k) {
   const std::string unit = k == 2 ? "rad" : "m";
   const Vec3<double> move = Vec3<double>::Unit(k);
-  render::TableView table{.header = {"h (" + unit + ")", "c(−h) (m)", "c(+h) (m)", "slope"}};
+  TableView table{.header = {"h (" + unit + ")", "c(−h) (m)", "c(+h) (m)", "slope"}};
   for (const double h : {0.5, 0.1, 0.01}) {
     const Quotient less = quotient(rod, h);
     table.rows.push_back(
@@ -118,16 +102,16 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
 
 /// c while the box moves on at this velocity, and what j·v makes of it.
 void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& motion) {
-  render::Plot plot{.title = "c while the box keeps this velocity (m)",
-                    .x = {.title = "t (s)", .min = -1, .max = 1},
-                    .cursor = 0};
+  Plot plot{.title = "c while the box keeps this velocity (m)",
+            .x = {.title = "t (s)", .min = -1, .max = 1},
+            .cursor = 0};
   plot.series = {
       {.name = "c", .style = {.color = page.theme().outline}, .markers = false},
       {.name = "j·v t", .style = {.color = page.theme().velocity, .dash = {8, 6}}, .markers = false}};
   double largest = 1.2;  // [m] the same for all motions of the question
   for (int k = -20; k <= 20; ++k) {
     const double t = 0.05 * k, c = error_at(rod, carried(rod.pose, motion.velocity, t));
-    for (render::Series& series : plot.series) series.x.push_back(t);
+    for (Series& series : plot.series) series.x.push_back(t);
     plot.series[0].y.push_back(c);
     plot.series[1].y.push_back(motion.rate * t);
     largest = std::max({largest, std::abs(c), std::abs(motion.rate * t)});
@@ -166,7 +150,7 @@ void draw_force(Page& page, const Story& story) {
        .result =
            fmt::format("= ({} N, {} N, {} N m)", significant(f.x()), significant(f.y()), significant(f.z())),
        .color = page.theme().normal});
-  render::TableView table{.header = {"motion", "power f·v"}};
+  TableView table{.header = {"motion", "power f·v"}};
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
   table.rows.push_back({"along the rod: forbidden", fixed(rod.settings.lambda, 3) + " W"});
@@ -181,12 +165,12 @@ void draw_differences(Page& page, const Story& story) {
   const double scale = epsilon * story.rod.length, lowest = 1e-13;
   const double least = all.back().h, most = all.front().h;
   const double first = std::sqrt(lowest / factor), last = scale / lowest;  // where the lines leave the chart
-  render::Plot plot{.title = "largest |j − central difference| of the rod"};
-  plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = lowest, .max = 1e-2};
-  const render::Color color = page.theme().text;
+  Plot plot{.title = "largest |j − central difference| of the rod"};
+  plot.x = {.title = "h (m or rad)", .scale = AxisScale::logarithmic, .min = 3e-12, .max = 1};
+  plot.y = {.scale = AxisScale::logarithmic, .min = lowest, .max = 1e-2};
+  const Color color = page.theme().text;
   plot.series = {
-      {.style = {color, {}, render::Marker::circle}, .line = false},
+      {.style = {color, {}, Marker::circle}, .line = false},
       {.style = {.color = color}, .x = {first, most}, .y = {lowest, factor * most * most}, .markers = false},
       {.style = {.color = color, .dash = {8, 6}},
        .x = {least, last},
@@ -200,7 +184,7 @@ void draw_differences(Page& page, const Story& story) {
       {1e-9, scale / 1e-9, fmt::format("rounding: about ε |p| / h, ε = {}", significant(epsilon, 2))},
       {1e-3, 1e-6 * factor, "falls with h²"}};
   draw_plot(page, parts[0], plot);
-  render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
+  TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
   for (const KindOfRows& kind : story.kinds)
     table.rows.push_back({kind.name, fmt::format("{}", kind.rows), significant(kind.error, 2)});
   page.table(parts[1], "every kind of row in the library", table);

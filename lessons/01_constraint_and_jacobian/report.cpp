@@ -1,19 +1,9 @@
 // Lesson 01. The rod in lines and rows, and what has to be true of it.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 
 namespace {
-
-using render::fixed;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 

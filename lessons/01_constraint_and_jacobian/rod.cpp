@@ -1,9 +1,5 @@
 // Velocities of the box, and where they lead.
-#include "rod.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 

@@ -1,25 +1,10 @@
 // The frames: the row, three pushes and what they leave, the effective mass here, this way, and against
 // another body.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_push {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::significant;
 
 using Shared = std::shared_ptr<const Pushes>;
 
@@ -31,9 +16,9 @@ List<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegL
 }
 
 /// The places with what was found at each, as far as it is known.
-render::TableView table_of(const Pushes& all, const List<std::string>& header, int known,
-                           const std::function<List<std::string>(const Push&)>& found) {
-  render::TableView table{.header = header, .active_row = known - 1};
+TableView table_of(const Pushes& all, const List<std::string>& header, int known,
+                   const std::function<List<std::string>(const Push&)>& found) {
+  TableView table{.header = header, .active_row = known - 1};
   for (int i = 0; i < all.at.size(); ++i) {
     List<std::string> row = {significant(all.at[i].x)};
     const List<std::string> numbers =
@@ -66,14 +51,14 @@ void draw_row(Page& page, const Pushes& all) {
   masses << push.inverse_mass[{1}].transpose(), push.inverse_mass[{2}].transpose();
   const Rect inside = page.panel(parts[0], "");
   const List<Rect> strips = rows(inside, {1, 1, 1}, 4);
-  const FixedList<render::MatrixView, 3> views = {
+  const FixedList<MatrixView, 3> views = {
       {{.title = "j: the peg (1) and the box (2)", .values = j},
-       {.title = "the diagonal of M⁻¹, eq (17)", .values = masses, .colors = render::MatrixColors::magnitude},
+       {.title = "the diagonal of M⁻¹, eq (17)", .values = masses, .colors = MatrixColors::magnitude},
        {.title = "j² times that: the sum is j M⁻¹ j^{T}",
         .values = j.array().square() * masses.array(),
-        .colors = render::MatrixColors::magnitude}}};
+        .colors = MatrixColors::magnitude}}};
   for (int i = 0; i < strips.size(); ++i) {
-    render::MatrixView view = views[i];
+    MatrixView view = views[i];
     view.column_group = 3;
     for (const char* name : {"x_{1}", "y_{1}", "θ_{1}", "x_{2}", "y_{2}", "θ_{2}"})
       view.column_names.emplace_back(name);
@@ -130,8 +115,8 @@ void draw_after(Page& page, const Pushes& all, int i) {
                       }));
 }
 
-render::Series curve_of_places(const Page& page, const Pushes& all) {
-  render::Series curve{.style = {.color = page.theme().normal}, .markers = false};
+Series curve_of_places(const Page& page, const Pushes& all) {
+  Series curve{.style = {.color = page.theme().normal}, .markers = false};
   for (int k = -50; k <= 50; ++k) {
     curve.x.push_back(0.01 * k);
     curve.y.push_back(mass_at(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
@@ -142,8 +127,8 @@ render::Series curve_of_places(const Page& page, const Pushes& all) {
 void draw_here(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
-  render::Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
-  render::Series found{.style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
+  Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
+  Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
   for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]}) {
     found.x.push_back(push.x);
     found.y.push_back(push.impulse / all.settings.speed);
@@ -164,15 +149,15 @@ void draw_this_way(Page& page, const Pushes& all) {
 void draw_others(Page& page, const Pushes& all) {
   const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
   const double m = all.settings.mass;
-  render::Plot plot{.title = "effective mass of box and peg, below the centre (kg)"};
-  render::Series curve{.style = {.color = page.theme().normal}, .markers = false};
-  render::Series found{.style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
+  Plot plot{.title = "effective mass of box and peg, below the centre (kg)"};
+  Series curve{.style = {.color = page.theme().normal}, .markers = false};
+  Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
   for (int k = -16; k <= 16; ++k) {
     const double other = m * std::pow(10, k / 4.0 * 0.75);
     curve.x.push_back(other);
     curve.y.push_back(1 / (1 / m + 1 / other));
   }
-  render::TableView table{.header = {"peg (kg)", "1/m of both", "effective (kg)"}};
+  TableView table{.header = {"peg (kg)", "1/m of both", "effective (kg)"}};
   for (const OtherMass& other : all.others) {
     const bool fixed_peg = !(other.mass > 0);
     table.rows.push_back({fixed_peg ? "fixed" : significant(other.mass), significant(1 / other.effective, 4),
@@ -183,8 +168,8 @@ void draw_others(Page& page, const Pushes& all) {
   }
   plot.series = {curve, found};
   plot.goals.push_back({m, "the box alone"});
-  plot.x = {.title = "mass of the peg (kg)", .scale = render::AxisScale::logarithmic};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .max = 3 * m};
+  plot.x = {.title = "mass of the peg (kg)", .scale = AxisScale::logarithmic};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .max = 3 * m};
   draw_plot(page, halves[0], plot);
   const List<Rect> parts = rows(halves[1], {0.48, 0.52}, page.sizes().gap);
   page.equation(parts[0],

@@ -1,22 +1,9 @@
 // Balls that begin inside the ground: what pushes them out, and how deep is too deep.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::drift {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 const double ball_pitch = 1.3;  // [m] from ball to ball
 
@@ -46,7 +33,7 @@ std::string in_brackets(double value) {
   return value < 0 ? "(" + fixed(value, 2) + ")" : fixed(value + 0.0, 2);
 }
 
-render::Equation equation_of(const Page& page, const DriftRuns& all, int step) {
+Equation equation_of(const Page& page, const DriftRuns& all, int step) {
   const BallRun& run = ball_of(all, 1);
   const double free = run.speed[step - 1] - gravity * all.settings.dt;
   const double wanted = (run.zeta[step] - free) / all.settings.dt;
@@ -61,7 +48,7 @@ render::Equation equation_of(const Page& page, const DriftRuns& all, int step) {
 
 /// What (7) asked for, what it took, and what came of it, in this step.
 void draw_ball_table(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  render::TableView table{.header = {"β", "ζ (m/s)", "λ (N)", "v (m/s)", "c (mm)"}};
+  TableView table{.header = {"β", "ζ (m/s)", "λ (N)", "v (m/s)", "c (mm)"}};
   std::string title = fmt::format("step {}", step);
   for (const BallRun& run : all.balls) {
     if (run.beta == 1) table.active_row = table.rows.size();
@@ -79,11 +66,11 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
   // The first steps are small beside the flight: they get charts of their own.
   const int shown = std::min(step <= 2 ? 4 : step <= 10 ? 10 : last_step(all), last_step(all));
   double highest = 0;
-  render::Plot plot{.title = "c: height of the lowest point (m)"};
+  Plot plot{.title = "c: height of the lowest point (m)"};
   for (const BallRun& run : all.balls) {
     for (int k = 0; k <= shown; ++k) highest = std::max(highest, run.height[k]);
-    plot.series.push_back(render::over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta),
-                                             {run.height.begin(), run.height.begin() + step + 1}));
+    plot.series.push_back(over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta),
+                                     {run.height.begin(), run.height.begin() + step + 1}));
     plot.series.back().markers = false;
   }
   plot.x = {.title = "step", .min = 0, .max = static_cast<double>(shown)};
@@ -119,16 +106,16 @@ Shot ball_shot(const Runs& all, int step, bool key) {
 /// The largest depth that is held, by formula and by bisection.
 void draw_limits(Page& page, const DriftRuns& all) {
   const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  render::Plot plot{.title = "how deep a ball may begin so that the ground still pushes in step 2 (mm)"};
-  plot.x = {.title = "β", .scale = render::AxisScale::logarithmic, .min = 0.09, .max = 1.1};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic};
-  render::Series formula{.style = {.color = page.theme().text}, .markers = false};
+  Plot plot{.title = "how deep a ball may begin so that the ground still pushes in step 2 (mm)"};
+  plot.x = {.title = "β", .scale = AxisScale::logarithmic, .min = 0.09, .max = 1.1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic};
+  Series formula{.style = {.color = page.theme().text}, .markers = false};
   for (const double beta : {0.1, 1.0}) {  // a straight line on these axes
     formula.x.push_back(beta);
     formula.y.push_back(1000 * limit_by_formula(all.settings.dt, beta));
   }
-  render::Series measured{.style = {page.theme().text, {}, render::Marker::square}, .line = false};
-  render::TableView table{.header = {"β", "formula (mm)", "measured (mm)"}};
+  Series measured{.style = {page.theme().text, {}, Marker::square}, .line = false};
+  TableView table{.header = {"β", "formula (mm)", "measured (mm)"}};
   for (const DepthLimit& limit : all.limits) {
     measured.x.push_back(limit.beta);
     measured.y.push_back(1000 * limit.measured);
@@ -150,24 +137,24 @@ void draw_limits(Page& page, const DriftRuns& all) {
 }
 
 /// How deep all balls are, and how high the one with beta = 1 comes: both, or the height alone.
-void draw_lengths(Page& page, const render::Camera& camera, const DriftRuns& all, const BallLook& look) {
+void draw_lengths(Page& page, const Camera& camera, const DriftRuns& all, const BallLook& look) {
   const double x = ball_pitch * (all.balls.size() - 1), depth = all.settings.depth;
-  render::TextStyle style{.size = 18, .color = page.theme().text, .bold = true, .halo = page.theme().panel};
-  const render::Stroke stroke{.width = page.sizes().outline, .color = page.theme().text};
+  TextStyle style{.size = 18, .color = page.theme().text, .bold = true, .halo = page.theme().panel};
+  const Stroke stroke{.width = page.sizes().outline, .color = page.theme().text};
   if (look.measured) {
     const double peak = ball_of(all, 1).height[look.step];
     draw_length(page, camera.project({x, 0}), camera.project({x, peak}), stroke);
-    page.canvas().text(camera.project({x + 0.05, 0.5 * peak}), render::significant(peak) + " m", style);
+    page.canvas().text(camera.project({x + 0.05, 0.5 * peak}), significant(peak) + " m", style);
   }
   if (!look.asks) return;
   const double beside = x + ball_radius + 0.08, top = 2 * ball_radius + 0.6;  // from the ground to where?
-  const FixedList<render::Point, 2> way = {camera.project({beside, 0}), camera.project({beside, top})};
+  const FixedList<Point, 2> way = {camera.project({beside, 0}), camera.project({beside, top})};
   page.canvas().polyline(way, {.width = page.sizes().outline, .color = page.theme().text, .dash = {8, 6}});
   style.size = 20;
   page.canvas().text(camera.project({x + 0.15, top - 0.3}), "? m", style);
   const double between = 0.5 * ball_pitch;
   draw_length(page, camera.project({between, 0}), camera.project({between, -depth}), stroke);
-  style.align = render::Align::center;
+  style.align = Align::center;
   style.halo = page.theme().static_body;
   page.canvas().text(camera.project({between, -depth - 0.16}), fmt::format("{:g} mm", 1000 * depth), style);
 }
@@ -179,12 +166,12 @@ void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, const BallLo
   const double right = ball_pitch * (all.balls.size() - 1);
   const double top = 2 * ball_radius + std::max(highest_peak(all), 0.0) + 0.1;
   const double bottom = -0.35;  // [m] at the lower edge of the panel
-  render::Camera camera = render::fit(inside, {{-0.65, bottom}, {right + 0.65, top}});
+  Camera camera = fit(inside, {{-0.65, bottom}, {right + 0.65, top}});
   camera.center.y() = bottom + 0.5 * camera.viewport.height / camera.scale;
   List<Snapshot> earlier;
   for (int k = 0; k < look.step; ++k) earlier.push_back(balls_together(all, k));
   draw_ghosts(page, camera, earlier);
-  render::WorldLook world{.numbers = camera.scale >= 45, .names = {""}};
+  WorldLook world{.numbers = camera.scale >= 45, .names = {""}};
   for (const BallRun& run : all.balls) world.names.push_back(fmt::format("{:g}", run.beta));
   draw_world(page, camera, balls_together(all, look.step), world);
   draw_lengths(page, camera, all, look);

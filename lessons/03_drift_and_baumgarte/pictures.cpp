@@ -1,19 +1,9 @@
 // The question, the frames of the three scenes, and the answer.
-#include <fmt/format.h>
-
-#include <memory>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::drift {
 
 namespace {
-
-using render::Page;
-using render::Rect;
-using render::significant;
 
 QuestionFrame frame_of(const Runs& all, const std::string& state, const std::string& alt,
                        const BallLook& look) {
@@ -33,7 +23,7 @@ std::string answer_text(const DriftRuns& all) {
 
 std::string beta_name(double beta) { return fmt::format("β = {:g}", beta); }
 
-render::SeriesStyle beta_style(const render::Theme& theme, double beta) {
+SeriesStyle beta_style(const Theme& theme, double beta) {
   if (beta == 0) return {.color = theme.text};
   if (beta == 0.1) return {.color = theme.si.color};
   if (beta == 0.5) return {.color = theme.jacobi.color, .dash = {2, 5}};

@@ -1,11 +1,5 @@
 // Lesson 03. The three scenes in lines and rows, and what has to be true of them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::drift {
 

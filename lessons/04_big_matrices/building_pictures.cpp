@@ -1,32 +1,20 @@
 // J row by row, A entry by entry, b row by row: where each number comes from.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <utility>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/matrix.hpp"
+#include "lesson.hpp"
 
 namespace cairn::big {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
-
 using Entry = std::pair<int, int>;
 
 /// The first `rows_known` rows of J.
-render::MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
-  render::MatrixView view{.title = "J, without the ground's columns",
-                          .values = run.system.J,
-                          .row_names = row_names(run.boxes()),
-                          .column_names = column_names(run.boxes()),
-                          .column_group = 3,
-                          .active_row = active};
+MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
+  MatrixView view{.title = "J, without the ground's columns",
+                  .values = run.system.J,
+                  .row_names = row_names(run.boxes()),
+                  .column_names = column_names(run.boxes()),
+                  .column_group = 3,
+                  .active_row = active};
   for (int row = rows_known; row < run.boxes(); ++row) {
     for (int column = 0; column < 3 * run.boxes(); ++column) view.unknown.push_back({row, column});
   }
@@ -44,7 +32,7 @@ void draw_masses(Page& page, const StackRun& run) {
                  .values = run.system.inverse_mass.asDiagonal(),
                  .column_names = column_names(n),
                  .column_group = 3,
-                 .colors = render::MatrixColors::magnitude}},
+                 .colors = MatrixColors::magnitude}},
                {""});
   page.note(right[1], "(1) and (2)",
             "Three numbers for each box: how fast it moves to the right, how fast it moves up, and how fast "
@@ -105,7 +93,7 @@ std::string entry_in_numbers(const StackRun& run, int i, int j) {
 void draw_entry(Page& page, const StackRun& run, int i, int j) {
   const bool shared = j == i + 1;
   const List<Rect> parts = lay_out_building(page, run, {.row = i, .other_row = i == j ? -1 : j}, 0.34);
-  render::MatrixView J{.column_names = column_names(run.boxes()), .column_group = 3};
+  MatrixView J{.column_names = column_names(run.boxes()), .column_group = 3};
   J.title = i == j ? fmt::format("row {} of J", i + 1) : fmt::format("rows {} and {} of J", i + 1, j + 1);
   J.values.resize(i == j ? 1 : 2, 3 * run.boxes());
   J.values.row(0) = run.system.J.row(i);
@@ -140,7 +128,7 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
   draw_product(page, parts[0], {view_of_J(run, n, row)}, {});
   Eigen::MatrixXd stage(n, n + 1);
   stage << run.system.A, run.system.b;
-  List<render::MatrixView> system = system_views(run, stage, row);
+  List<MatrixView> system = system_views(run, stage, row);
   for (int later = row + 1; later < n; ++later) system[1].unknown.push_back({later, 0});
   draw_product(page, parts[1], system, {"λ ="});
   const std::string dt = brief(run.settings.dt);

@@ -1,12 +1,5 @@
 // Lesson 04. The matrices in lines and rows, and what has to be true of them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "lesson.hpp"
 
 namespace cairn::big {
 

@@ -1,21 +1,9 @@
 // Elimination, λ from the top down, the velocities after it, and what a larger stack would cost.
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::big {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 /// "(0, −1, 2 | 0)", times a factor.
 std::string row_in_numbers(const Eigen::MatrixXd& stage, int row, double factor) {
@@ -32,8 +20,8 @@ void draw_elimination(Page& page, const StackRun& run, int row) {
   draw_stack(page, halves[0], run, {.contact = row});
   const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
   const Eigen::MatrixXd &before = run.stages[row - 1], &after = run.stages[row];
-  List<render::MatrixView> both = system_views(run, before, row);
-  for (const render::MatrixView& view : system_views(run, after, row)) both.push_back(view);
+  List<MatrixView> both = system_views(run, before, row);
+  for (const MatrixView& view : system_views(run, after, row)) both.push_back(view);
   draw_product(page, right[0], both, {"λ =", "→", "λ ="});
   const double factor = before(row, row - 1) / before(row - 1, row - 1);
   page.equation(right[1],
@@ -74,7 +62,7 @@ void draw_velocities(Page& page, const StackRun& run) {
   const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
   draw_stack(page, halves[0], run, {.known = n, .velocity = run.velocity});
   const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  render::TableView table;
+  TableView table;
   table.header = {"box", "v_{1} (m/s)", "from below (N)", "from above (N)", "v_{2} (m/s)"};
   for (int i = n - 1; i >= 0; --i) {
     table.rows.push_back({fmt::format("{}", i + 1), fixed(run.system.velocity(3 * i + 1), 3),
@@ -102,7 +90,7 @@ void draw_without_gravity(Page& page, const StackRun& run) {
             "(12) has no force in it but those of the rows. If v_{1} is the velocity of a "
             "stack at rest, and gravity comes afterwards, b does not know of it: no contact "
             "carries any weight, and the stack falls.");
-  render::TableView table;
+  TableView table;
   table.header = {"gravity is added", "b_{1} (m/s²)", "λ_{1} (N)", "v after (m/s)"};
   const double b = run.system.zeta(0) / run.settings.dt;
   table.rows = {
@@ -119,16 +107,16 @@ void draw_without_gravity(Page& page, const StackRun& run) {
 
 void draw_growth(Page& page, const StackRun& run) {
   const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
-  const render::Theme& theme = page.theme();
-  render::Plot plot{.title = "numbers in J and A, multiplications of an elimination"};
-  plot.x = {.title = "boxes", .scale = render::AxisScale::logarithmic, .min = 2, .max = 400};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 3, .max = 3e7};
-  plot.series = {{.name = "elimination", .style = {theme.text, {}, render::Marker::circle}},
+  const Theme& theme = page.theme();
+  Plot plot{.title = "numbers in J and A, multiplications of an elimination"};
+  plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 400};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3e7};
+  plot.series = {{.name = "elimination", .style = {theme.text, {}, Marker::circle}},
                  {.name = "all of J", .style = theme.si},
                  {.name = "all of A", .style = theme.jacobi},
                  {.name = "not 0 in A", .style = theme.box2d}};
   for (const Growth& growth : run.growth) {
-    for (render::Series& one : plot.series) one.x.push_back(growth.boxes);
+    for (Series& one : plot.series) one.x.push_back(growth.boxes);
     plot.series[0].y.push_back(growth.elimination);
     plot.series[1].y.push_back(growth.all_of_J);
     plot.series[2].y.push_back(growth.all_of_A);

@@ -1,12 +1,8 @@
 // The rows of a stack, its system as the library and others see it, and formulas for it.
-#include "system.hpp"
+#include "lesson.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-
-#include <algorithm>
-
-#include "solvers/exact/reference_solver.hpp"
 
 namespace cairn::big {
 

@@ -1,27 +1,9 @@
 // The stack as a matrix that is swept, how the error shrinks, and the intervals of all kinds of rows.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "lessons/kit/question.hpp"
-#include "lessons/kit/stack_panel.hpp"
-#include "math/list.hpp"
-#include "render/bars.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::sweeps {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 std::string with_brackets(const std::string& number) {
   return number.starts_with("−") ? "(" + number + ")" : number;
@@ -30,7 +12,7 @@ std::string with_brackets(const std::string& number) {
 void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
   const Swept& up = run.stack.up;
   const int active = up.updates[k].row;
-  render::BarChart chart{.title = "λ (N)", .largest = 1.25 * run.stack.exact[0]};
+  BarChart chart{.title = "λ (N)", .largest = 1.25 * run.stack.exact[0]};
   for (int i = run.stack.exact.size() - 1; i >= 0; --i) {  // the uppermost contact first, as in the stack
     const double before = k > 0 ? up.after[k - 1][i] : 0;
     chart.bars.push_back({.name = fmt::format("row {}", i + 1),
@@ -65,8 +47,8 @@ void draw_update(Page& page, const SweepRun& run, int k) {
 }
 
 /// What is missing of one lambda after each sweep, over its exact value.
-render::Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
-  render::Series series{.name = name};
+Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
+  Series series{.name = name};
   for (int k = 0; k < swept.by_sweep.size(); ++k) {
     series.x.push_back(k);
     series.y.push_back(std::abs(stack.exact[row] - swept.by_sweep[k][row]) / stack.exact[row]);
@@ -75,8 +57,8 @@ render::Series missing(const std::string& name, const Swept& swept, const StackR
 }
 
 /// A table of what a sweep leaves, and of how many sweeps a digit takes.
-render::TableView shares_left(int boxes) {
-  render::TableView table;
+TableView shares_left(int boxes) {
+  TableView table;
   table.header = {"boxes n", "ρ", "sweeps a digit"};
   for (const int n : {2, 3, 5, 10, 20}) {
     const double factor = error_factor(n);
@@ -91,17 +73,17 @@ void draw_errors(Page& page, const SweepRun& run) {
   const StackRun& stack = run.stack;
   const int top = stack.exact.size() - 1;
   const std::string name = fmt::format("λ_{{{}}}", top + 1);
-  render::Plot plot{.title = "error of λ, over its exact value"};
+  Plot plot{.title = "error of λ, over its exact value"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic};
   plot.series = {missing(name + " top down", stack.down, stack, top),
                  missing(name + " ground up", stack.up, stack, top),
                  missing("λ_{1} either way", stack.up, stack, 0)};
   plot.y.min = 0.6 * plot.series[2].y.back();
-  plot.series[0].style = {page.theme().inactive, {}, render::Marker::diamond};
+  plot.series[0].style = {page.theme().inactive, {}, Marker::diamond};
   plot.series[1].style = page.theme().pgs;
   plot.series[1].style.dash = {10, 6};
-  plot.series[1].style.marker = render::Marker::triangle;
+  plot.series[1].style.marker = Marker::triangle;
   plot.series[2].style = page.theme().pgs;
   draw_plot(page, parts[0], plot);
   const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
@@ -112,7 +94,7 @@ void draw_errors(Page& page, const SweepRun& run) {
   page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes));
 }
 
-render::Color color_of(const render::Theme& theme, const Bounds<double>& bounds) {
+Color color_of(const Theme& theme, const Bounds<double>& bounds) {
   if (bounds.is_friction()) return theme.friction;
   return bounds.is_unilateral() ? theme.normal : theme.joint;
 }
@@ -125,16 +107,16 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
   const double scale = rect.width / 24;
   const double y = rect.y + rect.height / 2;
   const double zero = rect.x + rect.width / 2;
-  render::Canvas& canvas = page.canvas();
+  Canvas& canvas = page.canvas();
   canvas.line({rect.x, y}, {rect.x + rect.width, y}, {.width = 1.5, .color = page.theme().frame_line});
   const double thick = 9, tall = 16;
   const double from = std::max(zero + low * scale, rect.x + tall);
   const double to = std::min(zero + high * scale, rect.x + rect.width - tall);
-  const render::Color color = color_of(page.theme(), kind.bounds);
+  const Color color = color_of(page.theme(), kind.bounds);
   canvas.line({from, y}, {to, y}, {.width = thick, .color = color});
-  render::TextStyle style = page.value();
+  TextStyle style = page.value();
   style.size *= 1.3;
-  style.align = render::Align::center;
+  style.align = Align::center;
   for (const double sign : {-1.0, 1.0}) {
     const double end = sign < 0 ? low : high;
     const double x = sign < 0 ? from : to;
@@ -162,7 +144,7 @@ void draw_intervals(Page& page) {
   for (int k = 0; k < kinds.size(); ++k) {
     const List<Rect> parts = columns(lines[k], {0.34, 0.66}, page.sizes().gap);
     const Rect& words = parts[0];
-    render::TextStyle name = page.label(), reason = page.secondary();
+    TextStyle name = page.label(), reason = page.secondary();
     name.size *= 1.35, name.bold = true, reason.size *= 1.12;
     const double middle = words.y + words.height / 2;
     page.canvas().text({words.x, middle - 4}, kinds[k].name, name);
@@ -213,7 +195,7 @@ std::string sources(const SystemMatrices<double>& system, int i) {
 
 void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active) {
   const auto n = static_cast<int>(system.b.size());
-  render::MatrixView view{.title = "A, and b (m/s²)", .column_group = n, .active_row = active};
+  MatrixView view{.title = "A, and b (m/s²)", .column_group = n, .active_row = active};
   view.values.resize(n, n + 1);
   view.values << system.A, system.b;
   for (int i = 1; i <= n; ++i) view.row_names.push_back(fmt::format("{}", i));
@@ -229,8 +211,7 @@ std::string brief(double value, int most) {
   return text == "−0" ? "0" : text;
 }
 
-render::Equation equation_28(const Page& page, const SystemMatrices<double>& system, const Swept& swept,
-                             int update) {
+Equation equation_28(const Page& page, const SystemMatrices<double>& system, const Swept& swept, int update) {
   const int i = swept.updates[update].row;
   std::string symbols = fmt::format("b_{{{}}}", i + 1);
   std::string numbers = brief(system.b(i));

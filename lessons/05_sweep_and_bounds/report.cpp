@@ -1,13 +1,5 @@
 // Lesson 05. The sweeps in lines and rows, and what has to be true of them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::sweeps {
 

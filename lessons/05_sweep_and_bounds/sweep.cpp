@@ -1,8 +1,5 @@
 // What is done with the two systems, and other accounts of both.
-#include "sweep.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
 namespace cairn::sweeps {
 

@@ -1,12 +1,5 @@
 // Prints the row updates and the sweeps, and checks them against two other accounts of the same stack.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stack {
 

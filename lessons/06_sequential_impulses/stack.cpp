@@ -1,8 +1,6 @@
 // The stack as a problem by hand, and two independent accounts of its solve.
-#include "stack.hpp"
+#include "lesson.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "lessons/kit/random.hpp"

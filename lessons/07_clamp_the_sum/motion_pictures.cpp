@@ -1,22 +1,9 @@
 // What becomes of the box, how it depends on its feet, and the third place for the clamp.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::feet {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::Sign;
 
 constexpr int outline_steps = 8;  // between the outlines of earlier poses
 
@@ -26,12 +13,12 @@ double height_at(const List<Snapshot>& motion, int step) {
 
 void draw_motion(Page& page, const Rect& rect, const List<Snapshot>& motion, int step, Clamped clamped) {
   const Rect inside = clamp_panel(page, rect, clamped);
-  const render::Camera camera = render::fit(inside, {{-1.3, -0.1}, {1.3, 1.5}});
+  const Camera camera = fit(inside, {{-1.3, -0.1}, {1.3, 1.5}});
   page.canvas().push_clip(inside);
   List<Snapshot> earlier;
   for (int k = 0; k < step; k += outline_steps) earlier.push_back(motion[k]);
   draw_ghosts(page, camera, earlier);
-  render::WorldLook look;
+  WorldLook look;
   look.contacts = false;
   look.numbers = false;
   look.penetration = false;
@@ -39,9 +26,9 @@ void draw_motion(Page& page, const Rect& rect, const List<Snapshot>& motion, int
   page.canvas().pop_clip();
 }
 
-render::Series heights(const Page& page, const List<Snapshot>& motion, Clamped clamped) {
-  render::Series series{.name = clamped == Clamped::sum ? "the sum" : "each push",
-                        .style = style_of(page.theme(), clamped)};
+Series heights(const Page& page, const List<Snapshot>& motion, Clamped clamped) {
+  Series series{.name = clamped == Clamped::sum ? "the sum" : "each push",
+                .style = style_of(page.theme(), clamped)};
   for (int k = 0; k < motion.size(); ++k) {
     series.x.push_back(k * time_step);
     series.y.push_back(height_at(motion, k));
@@ -54,8 +41,8 @@ void draw_step(Page& page, const FeetRun& run, int step) {
   const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
   draw_motion(page, top[0], run.hop, step, Clamped::increment);
   draw_motion(page, top[1], run.still, step, Clamped::sum);
-  render::Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
-                                         fixed(1000 * run.hop_height, 0))};
+  Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
+                                 fixed(1000 * run.hop_height, 0))};
   plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
   plot.series = {heights(page, run.hop, Clamped::increment), heights(page, run.still, Clamped::sum)};
   const List<double>& hop = plot.series[0].y;
@@ -69,24 +56,24 @@ void draw_step(Page& page, const FeetRun& run, int step) {
 
 void draw_spread(Page& page, const FeetRun& run) {
   const List<Rect> parts = columns(page.area(), {0.64, 0.36}, page.sizes().gap);
-  render::Series foot{.style = style_of(page.theme(), Clamped::increment)};
-  render::Series box = foot;
-  box.style.marker = render::Marker::circle;
+  Series foot{.style = style_of(page.theme(), Clamped::increment)};
+  Series box = foot;
+  box.style.marker = Marker::circle;
   box.style.dash = page.theme().jacobi.dash;
-  render::Series sum{.style = page.theme().exact, .markers = false};
+  Series sum{.style = page.theme().exact, .markers = false};
   for (const Spread& spread : run.spreads) {
     sum.x.push_back(spread.foot);
     sum.y.push_back(0);
     if (spread.foot > harmless_distance()) continue;
-    for (render::Series* series : {&foot, &box}) series->x.push_back(spread.foot);
+    for (Series* series : {&foot, &box}) series->x.push_back(spread.foot);
     foot.y.push_back(spread.formula_speed - spread.foot * spread.formula_spin);
     box.y.push_back(spread.formula_speed);
   }
-  for (render::Series* series : {&foot, &box}) {
+  for (Series* series : {&foot, &box}) {
     series->x.push_back(harmless_distance());  // where q and with it both speeds are 0
     series->y.push_back(0);
   }
-  render::Plot plot{.title = "each push clamped: speed afterwards (m/s)"};
+  Plot plot{.title = "each push clamped: speed afterwards (m/s)"};
   plot.x = {.title = "r: from the middle to each foot (m)", .min = 0, .max = 0.5};
   plot.y = {.title = "", .min = 0};
   plot.series = {foot, box, sum};
@@ -112,7 +99,7 @@ void draw_side(Page& page, const FeetRun& run) {
   double largest = 0;
   for (const Landing& landing : run.side.landings) largest = std::max(largest, landing.impulse[0]);
   int at = 0;
-  render::TableView table;
+  TableView table;
   table.header = {"clamped", "p_{1} (N s)", "p_{2} (N s)", "foot 1 (m/s)", "energy (J)"};
   for (const Landing& landing : run.side.landings) {
     if (landing.clamped != Clamped::increment) {

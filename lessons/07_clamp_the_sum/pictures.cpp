@@ -1,45 +1,27 @@
 // The box on its feet, visit by visit, with the clamp on each push and on the sum side by side.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "render/bars.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::feet {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-using render::Sign;
-
 /// How fast a foot moves: an arrow at its outer edge, and its value beside the box. A foot near the side of
 /// the box has its arrow at its inner edge.
-void draw_foot_velocity(Page& page, const render::Camera& camera, const BoxRun& box, const BoxView& view,
-                        int i) {
+void draw_foot_velocity(Page& page, const Camera& camera, const BoxRun& box, const BoxView& view, int i) {
   const double outwards = i == 0 ? -1 : 1;
   const double edge = std::abs(box.foot[i]) > 0.3 ? -0.09 * outwards : 0.09 * outwards;
   const double velocity = cleaned(view.foot_velocity[i]);
   const double metres = 1.1 / view.fastest;  // [s]
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = metres * camera.scale, .longest = 1.1 * camera.scale, .unit = "m/s"};
   if (std::abs(velocity) * scale.pixels_per_unit >= 2) {
     draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity,
+               {.kind = ArrowKind::velocity,
                 .tail = {box.foot[i] + edge, std::max(0.0, -velocity * metres)},
                 .value = {0, velocity}});
   }
-  render::TextStyle style = page.value();
-  style.align = i == 0 ? render::Align::right : render::Align::left;
+  TextStyle style = page.value();
+  style.align = i == 0 ? Align::right : Align::left;
   const Point at = camera.project({0.56 * outwards, 0.12}) + Point(10 * outwards, 0);
   page.canvas().text(at, fixed(velocity, 2, Sign::always) + " m/s", style);
   style.color = page.theme().secondary_text;
@@ -48,9 +30,8 @@ void draw_foot_velocity(Page& page, const render::Camera& camera, const BoxRun& 
 }
 
 /// The sum of a foot at the tip of its arrow, where there is room.
-void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip, const std::string& text,
-               bool lit) {
-  render::TextStyle style = page.value();
+void label_sum(Page& page, const Camera& camera, const Vec2<double>& tip, const std::string& text, bool lit) {
+  TextStyle style = page.value();
   style.bold = lit;
   style.halo = page.theme().body;
   const Point at = camera.project(tip);
@@ -68,9 +49,9 @@ void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip
 void draw_sums(Page& page, const Rect& rect, const FeetRun& run, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
   const double exact = run.middle.exact[0];  // the same for both feet
-  render::BarChart chart{.title = fmt::format("sum of the pushes p (N s); black line: exact, {:.4g}", exact),
-                         .largest = std::max(1.6 * exact, 1.1 * visit.after[0]),
-                         .color = style_of(page.theme(), landing.clamped).color};
+  BarChart chart{.title = fmt::format("sum of the pushes p (N s); black line: exact, {:.4g}", exact),
+                 .largest = std::max(1.6 * exact, 1.1 * visit.after[0]),
+                 .color = style_of(page.theme(), landing.clamped).color};
   for (int i = 0; i < 2; ++i) {
     chart.bars.push_back({.name = fmt::format("foot {} {:>6.2f}", i + 1, cleaned(visit.after[i])),
                           .before = visit.before[i],
@@ -82,14 +63,14 @@ void draw_sums(Page& page, const Rect& rect, const FeetRun& run, const Landing& 
                      {.width = 3, .color = page.theme().exact.color});
 }
 
-render::Equation equation_of(const Page& page, const Landing& landing, int k) {
+Equation equation_of(const Page& page, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
   const int foot = visit.foot;
   const std::string before = fixed(visit.before[foot], 2);
   const std::string asked = fixed(std::abs(cleaned(visit.asked)), 2);
   const char* sign = cleaned(visit.asked) < 0 ? "−" : "+";
   const std::string p = fmt::format("p_{{{}}}", foot + 1);
-  render::Equation equation;
+  Equation equation;
   equation.number = fmt::format("(22): p_{{corr}} = {} N s", fixed(cleaned(visit.asked), 2, Sign::always));
   if (landing.clamped == Clamped::increment) {
     equation.symbols = fmt::format("{} ← {} + max(0, p_{{corr}})", p, p);
@@ -184,10 +165,10 @@ List<Shot> visit_shots(const Run& run) {
 
 }  // namespace
 
-render::SeriesStyle style_of(const render::Theme& theme, Clamped clamped) {
+SeriesStyle style_of(const Theme& theme, Clamped clamped) {
   if (clamped == Clamped::sum) return theme.si;
   if (clamped == Clamped::afterwards) return theme.box2d;
-  render::SeriesStyle style = theme.jacobi;
+  SeriesStyle style = theme.jacobi;
   style.dash = {};
   return style;
 }
@@ -202,16 +183,16 @@ Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped, const std::strin
 }
 
 void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, const BoxView& view) {
-  render::Camera camera = render::fit(rect, {{-1, -0.1}, {1, 1.17}});
+  Camera camera = fit(rect, {{-1, -0.1}, {1, 1.17}});
   camera.center.y() = std::min(0.54, 0.5 * rect.height / camera.scale - 0.1);  // little of the ground
   const double tallest = 0.9;                                                  // [m]
   page.canvas().push_clip(rect);
-  render::WorldLook look;
+  WorldLook look;
   look.contacts = false;
   look.numbers = false;
   look.penetration = false;
   draw_world(page, camera, box.snapshot, look);
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = tallest * camera.scale / largest, .longest = 1.15 * camera.scale, .unit = "N s"};
   for (const int i : {0, 1}) draw_foot_velocity(page, camera, box, view, i);
   for (const int i : {0, 1}) {
@@ -222,7 +203,7 @@ void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, c
     const double taken = lit ? view.before - sum : 0;
     if (taken > 0.005) {
       draw_arrow(page, camera, scale,
-                 {.kind = render::ArrowKind::negative_correction,
+                 {.kind = ArrowKind::negative_correction,
                   .tail = {x, tallest * view.before / largest},
                   .value = {0, -taken},
                   .label = fixed(-taken, 2)});

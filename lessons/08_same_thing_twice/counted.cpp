@@ -1,10 +1,5 @@
 // The λ of SI after every row update, and the effective masses that its sweeps need.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::twice {
 

@@ -1,24 +1,9 @@
 // Each row update of both solvers, then each sweep, and the digits in which they part.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <memory>
-#include <set>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "panels.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::twice {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 using Run = std::shared_ptr<const TwiceRun>;
 
@@ -32,7 +17,7 @@ Moment after_row(const TwiceRun& run, int row) {
   return moment;
 }
 
-std::string power(double value) { return value == 0 ? "0" : render::significant(value, 2); }
+std::string power(double value) { return value == 0 ? "0" : significant(value, 2); }
 
 /// What either solver reads for this row.
 std::string reads(const TwiceRun& run, int row) {
@@ -66,7 +51,7 @@ void draw_row(Page& page, const TwiceRun& run, int row) {
 void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
   const List<Rect> panels = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
   draw_pairs(page, panels[0], {.pgs = run.pgs[sweep], .si = run.si[sweep]}, range_of(run));
-  render::TableView table;
+  TableView table;
   table.header = {"precision", "largest |λ_{PGS} − λ_{SI}|", "of the largest λ"};
   for (const PrecisionRun& precision : run.precisions) {
     const double difference = precision.difference[sweep];
@@ -99,24 +84,21 @@ void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
 }
 
 void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
-  const render::Color color = page.theme().outline;
-  const List<render::SeriesStyle> styles = {{color, {}, render::Marker::circle},
-                                            {color, {}, render::Marker::square},
-                                            {color, {}, render::Marker::diamond}};
-  render::Plot plot{
-      .title = "largest |λ_{PGS} − λ_{SI}| over the largest λ, with the spacing ε of each precision"};
+  const Color color = page.theme().outline;
+  const List<SeriesStyle> styles = {
+      {color, {}, Marker::circle}, {color, {}, Marker::square}, {color, {}, Marker::diamond}};
+  Plot plot{.title = "largest |λ_{PGS} − λ_{SI}| over the largest λ, with the spacing ε of each precision"};
   plot.x = {.title = "sweep", .min = 0, .max = run.settings.sweeps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-21, .max = 1e-4};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-21, .max = 1e-4};
   for (int p = 0; p < run.precisions.size(); ++p) {
     const PrecisionRun& precision = run.precisions[p];
-    render::Series series{.name = precision.name, .style = styles[p]};
+    Series series{.name = precision.name, .style = styles[p]};
     for (int k = 1; k < precision.difference.size(); ++k) {
       series.x.push_back(k);
       series.y.push_back(precision.difference[k] / precision.scale);
     }
     plot.series.push_back(series);
-    plot.goals.push_back(
-        {precision.epsilon, fmt::format("ε = {}", render::significant(precision.epsilon, 2))});
+    plot.goals.push_back({precision.epsilon, fmt::format("ε = {}", significant(precision.epsilon, 2))});
   }
   draw_plot(page, rect, plot);
 }

@@ -1,10 +1,5 @@
 // Prints one sweep row by row and the differences in three precisions, and checks them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
 namespace cairn::twice {
 

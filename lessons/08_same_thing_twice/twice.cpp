@@ -1,11 +1,5 @@
 // A random problem, and what both solvers of the library make of it.
-#include "twice.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "lesson.hpp"
 
 #include "lessons/kit/random.hpp"
 

@@ -1,25 +1,9 @@
 // Three towers side by side, cold, warm and one row off, above one chart that all three share.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <set>
-
-#include "lessons/kit/question.hpp"
-#include "lessons/kit/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::warm {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::SeriesStyle;
 
 FixedList<const StartRun*, 3> runs_of(const WarmStart& all) { return {&all.cold, &all.warm, &all.shifted}; }
 
@@ -53,7 +37,7 @@ Range lately_carried(const StartRun& run, int frame) {
 }
 
 /// Where the top of the tower was at the start.
-void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
+void draw_start_line(Page& page, const Camera& camera, double boxes) {
   page.canvas().line(camera.project({-1, boxes}), camera.project({1, boxes}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {6, 4}});
 }
@@ -75,16 +59,16 @@ struct StartView {
 
 void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, const StartView& shown) {
   const StartRun& run = shown.run;
-  const std::string top = "top " + fixed(risen(run, frame), 0, render::Sign::always) + " mm";
+  const std::string top = "top " + fixed(risen(run, frame), 0, Sign::always) + " mm";
   const bool is_wide = rect.width > 300;  // or there is room for the tower alone
   const Rect view = draw_solver_panel(page, rect, shown.style, shown.name, is_wide ? top : "");
   const Range range = lately_carried(run, frame);
-  const render::Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
-                                                 {.box_weight = gravity,
-                                                  .largest = largest_load(all),
-                                                  .color = shown.style.color,
-                                                  .least = range.least,
-                                                  .most = range.most});
+  const Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
+                                         {.box_weight = gravity,
+                                          .largest = largest_load(all),
+                                          .color = shown.style.color,
+                                          .least = range.least,
+                                          .most = range.most});
   draw_start_line(page, camera, all.settings.boxes);
   if (frame == 0 || !is_wide) return;
   List<std::string> lines = {motion_of(run, frame),
@@ -96,8 +80,8 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, c
   if (shown.is_first)
     lines.insert(lines.end(), {"bar: load", "tick: to carry", fmt::format("pale: last {} steps", lately)});
   for (int i = 0; i < lines.size(); ++i) {
-    render::TextStyle text = i < (swings ? 3 : 2) ? page.value() : page.secondary();
-    text.align = render::Align::right;
+    TextStyle text = i < (swings ? 3 : 2) ? page.value() : page.secondary();
+    text.align = Align::right;
     page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
   }
 }
@@ -114,8 +98,8 @@ void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) 
 }
 
 void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int frame) {
-  render::Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; to carry: {:g} N",
-                                         all.settings.weight())};
+  Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; to carry: {:g} N",
+                                 all.settings.weight())};
   constexpr int near = 30;  // steps that the first frames show
   const int shown = frame <= near ? near : all.settings.steps;
   plot.x = {.title = "step", .min = 0, .max = shown};
@@ -123,7 +107,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const FixedList<const StartRun*, 3> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
-    render::Series series{.name = runs[s]->name, .style = styles[s]};
+    Series series{.name = runs[s]->name, .style = styles[s]};
     for (int k = 0; k <= shown; ++k) {
       series.x.push_back(k);
       series.y.push_back(runs[s]->loads[k][0]);
@@ -144,13 +128,13 @@ void draw_step(Page& page, const WarmStart& all, int frame) {
 /// Where the tops have been; of the warm one only what was before `frame`.
 void draw_tops(Page& page, const Rect& rect, const WarmStart& all, int frame) {
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-  render::Plot plot{.title = "how far the tops have moved (mm)"};
+  Plot plot{.title = "how far the tops have moved (mm)"};
   plot.x = {.title = "step", .min = 0, .max = question_steps};
   plot.y = {.min = 1.1 * lowest(all.many_cold), .max = 0};
   const auto add = [&](const StartRun& run, const SeriesStyle& style, int steps) {
     List<double> tops;
     for (int k = 0; k <= steps; ++k) tops.push_back(risen(run, k));
-    plot.series.push_back(render::over_steps(run.name, style, tops));
+    plot.series.push_back(over_steps(run.name, style, tops));
   };
   add(all.many_cold, styles[0], question_steps);
   if (frame > 0) add(all.few_warm, styles[1], frame);
@@ -198,10 +182,8 @@ std::string answer_text(const WarmStart& all) {
 
 }  // namespace
 
-FixedList<SeriesStyle, 3> start_styles(const render::Theme& theme) {
-  return {{{theme.box2d.color, {10, 6}, render::Marker::square},
-           {theme.si.color, {}, render::Marker::circle},
-           theme.jacobi}};
+FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
+  return {{{theme.box2d.color, {10, 6}, Marker::square}, {theme.si.color, {}, Marker::circle}, theme.jacobi}};
 }
 
 List<Shot> start_shots(const WarmStart& recorded) {

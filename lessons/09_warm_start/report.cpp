@@ -1,12 +1,5 @@
 // Prints the loads, the sweeps of a cold step and what wrong places do, and checks them against theory.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::warm {
 

@@ -1,8 +1,5 @@
 // What A costs before the first sweep, and what a sweep has to read.
-#include <fmt/format.h>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stored {
 

@@ -1,17 +1,9 @@
 // Three pairs of rows for which equation (30) and A do not say the same.
-#include <fmt/format.h>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stored {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 /// What is written beside one pair.
 struct CaseText {
@@ -41,28 +33,25 @@ FixedList<CaseText, 3> case_texts() {
 
 /// Both contacts, and how far they are from the centre of the body or the origin of the ground, both at x =
 /// 0.
-void draw_contact_arms(Page& page, const render::Camera& camera, const PairCase& one,
-                       const std::string& letter) {
-  const render::Stroke thin{.width = 1.5, .color = page.theme().secondary_text};
-  const render::ArrowScale scale{.pixels_per_unit = camera.scale, .longest = 2 * camera.scale};
+void draw_contact_arms(Page& page, const Camera& camera, const PairCase& one, const std::string& letter) {
+  const Stroke thin{.width = 1.5, .color = page.theme().secondary_text};
+  const ArrowScale scale{.pixels_per_unit = camera.scale, .longest = 2 * camera.scale};
   const Point zero = camera.project({0, 0.7});
   const Point middle = camera.project({0, letter == "r" ? 0.25 : 0});
   page.canvas().line(middle, zero, thin);
   page.canvas().circle(middle, page.sizes().contact, {.fill = page.theme().outline});
   int number = 0;
   for (const SnapshotContact& contact : one.snapshot.contacts) {
-    draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::normal, .tail = contact.position, .value = {0, 1.1}});
+    draw_arrow(page, camera, scale, {.kind = ArrowKind::normal, .tail = contact.position, .value = {0, 1.1}});
     const Point tip = camera.project(contact.position + Vec2<double>(0, 1.1));
-    render::TextStyle style{
-        .size = 26, .color = page.theme().text, .bold = true, .align = render::Align::center};
+    TextStyle style{.size = 26, .color = page.theme().text, .bold = true, .align = Align::center};
     page.canvas().text(tip - Point(0, 10), fmt::format("{}", ++number), style);
     const Point end(tip.x(), zero.y());
     page.canvas().line(zero, end, thin);
     const std::string text =
-        fmt::format("{}_{{{}}} = {} m", letter, number, render::significant(contact.position.x(), 2));
+        fmt::format("{}_{{{}}} = {} m", letter, number, significant(contact.position.x(), 2));
     style = page.label();
-    style.align = render::Align::center;
+    style.align = Align::center;
     const double width = page.canvas().text_width(text, style);
     const bool fits = std::abs(end.x() - zero.x()) > width + 24;
     const Point beside(end.x() + (number == 1 ? -1 : 1) * (0.5 * width + 12), end.y() + 6);
@@ -76,21 +65,19 @@ void draw_case(Page& page, const PairCase& one, const CaseText& text) {
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
   const Rect inside = page.panel(left[0], one.title);
   const double from = one.snapshot.contacts[0].position.x(), to = one.snapshot.contacts[1].position.x();
-  const render::Camera camera =
-      render::fit(inside, {{std::min(from, -to) - 0.7, -0.4}, {std::max(to, -from) + 0.7, 1.5}});
+  const Camera camera = fit(inside, {{std::min(from, -to) - 0.7, -0.4}, {std::max(to, -from) + 0.7, 1.5}});
   draw_world(page, camera, one.snapshot, {.numbers = false, .penetration = false});
   draw_contact_arms(page, camera, one, text.arm);
   page.note(left[1], "", text.note);
   page.equation(right[0], {.number = "eq (30) as printed",
                            .symbols = text.product,
                            .numbers = text.product_numbers,
-                           .result = fmt::format("= {}: {}", render::significant(one.printed),
+                           .result = fmt::format("= {}: {}", significant(one.printed),
                                                  one.printed == 0 ? "not counted" : "counted")});
-  page.equation(right[1],
-                {.number = "eq (15)",
-                 .symbols = text.coupling,
-                 .numbers = text.coupling_numbers,
-                 .result = one.coupling == 0 ? "= 0" : "= " + render::significant(one.coupling) + " 1/kg"});
+  page.equation(right[1], {.number = "eq (15)",
+                           .symbols = text.coupling,
+                           .numbers = text.coupling_numbers,
+                           .result = one.coupling == 0 ? "= 0" : "= " + significant(one.coupling) + " 1/kg"});
 }
 
 }  // namespace

@@ -1,32 +1,22 @@
 // Memory and work against the number of rows, and a scene where A has no zeros.
-#include <fmt/format.h>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stored {
 
 namespace {
 
-using render::Page;
-using render::Rect;
-
 /// A number of each pyramid against its rows. The largest pyramid allowed has 968 rows.
-render::Plot rows_plot(const Page& page, const StoredRun& run, const std::string& title, bool of_work) {
-  render::Plot plot{.title = title};
-  plot.x = {.title = "rows m", .scale = render::AxisScale::logarithmic, .min = 10, .max = 1000};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 100, .max = 1e7};
-  render::Series full{.name = "full A", .style = page.theme().pgs};
-  render::Series sparse{.name = "sparse A", .style = {page.theme().outline, {2, 5}, render::Marker::diamond}};
-  render::Series si{.name = "SI", .style = page.theme().si};
-  render::Series naive{.name = "naive",
-                       .style = {page.theme().external, {10, 5, 2, 5}, render::Marker::triangle}};
+Plot rows_plot(const Page& page, const StoredRun& run, const std::string& title, bool of_work) {
+  Plot plot{.title = title};
+  plot.x = {.title = "rows m", .scale = AxisScale::logarithmic, .min = 10, .max = 1000};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 100, .max = 1e7};
+  Series full{.name = "full A", .style = page.theme().pgs};
+  Series sparse{.name = "sparse A", .style = {page.theme().outline, {2, 5}, Marker::diamond}};
+  Series si{.name = "SI", .style = page.theme().si};
+  Series naive{.name = "naive", .style = {page.theme().external, {10, 5, 2, 5}, Marker::triangle}};
   for (const Count& count : run.pyramids) {
     const Work work = work_of(count);
-    for (render::Series* series : {&full, &sparse, &si, &naive}) series->x.push_back(count.rows);
+    for (Series* series : {&full, &sparse, &si, &naive}) series->x.push_back(count.rows);
     full.y.push_back(of_work ? work.dense : count.dense * sizeof(double));
     sparse.y.push_back(of_work ? work.sparse : count.pairs * (sizeof(double) + sizeof(int)));
     si.y.push_back(of_work ? work.si : count.rows * sizeof(double));
@@ -58,7 +48,7 @@ void draw_tray(Page& page, const StoredRun& run) {
   const Rect inside = page.panel(
       parts[0],
       fmt::format("tray: {} boxes on one body that can move, m = {:g} rows", boxes_on_tray, run.tray.rows));
-  const render::Camera camera = render::fit(inside, render::bounds_of({&run.tray_snapshot, 1}));
+  const Camera camera = fit(inside, render::bounds_of({&run.tray_snapshot, 1}));
   draw_world(page, camera, run.tray_snapshot, {.numbers = false, .contacts = false, .penetration = false});
   const List<Rect> below = columns(parts[1], {0.36, 0.36, 0.28}, page.sizes().gap);
   const Count& pyramid = run.pyramids[2];

@@ -1,24 +1,9 @@
 // The question, the smallest pyramid row by row beside its A, the patterns of three, and the answer.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "render/draw.hpp"
-#include "render/matrix.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stored {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 constexpr int smallest = 0;  // of the pyramids
 constexpr int largest = 3;
@@ -27,7 +12,7 @@ void draw_pyramid(Page& page, const Rect& rect, const StoredRun& run, int which)
   const Count& count = run.pyramids[which];
   const Rect inside = page.panel(rect, fmt::format("{} boxes: m = {:g} rows", count.bodies, count.rows));
   const double half = 0.5 * run.settings.spacing * count.base + 0.3;
-  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, count.base + 0.3}});
+  const Camera camera = fit(inside, {{-half, -0.5}, {half, count.base + 0.3}});
   draw_world(page, camera, run.snapshots[which], {.numbers = false, .contacts = false, .penetration = false});
 }
 
@@ -38,17 +23,17 @@ bool meet(const Eigen::MatrixXd& A, int i, int j) { return std::abs(A(i, j)) > 1
 void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::MatrixXd& A, int active) {
   const Rect inside = page.panel(rect, "");
   const double half = 0.5 * run.settings.spacing * 3 + 0.4;
-  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, 3.3}});
+  const Camera camera = fit(inside, {{-half, -0.5}, {half, 3.3}});
   const VelocityProblem<double>& problem = run.problems[smallest];
   const ConstraintRow<double>& row = problem.rows[active];
-  render::WorldLook look;
+  WorldLook look;
   look.contacts = false;
   look.penetration = false;
   look.active_a = row.a;
   look.active_b = row.b;
   draw_world(page, camera, run.snapshots[smallest], look);
   const List<SnapshotContact>& contacts = run.snapshots[smallest].contacts;
-  render::TextStyle style = page.tick();
+  TextStyle style = page.tick();
   for (int j = 0; j < contacts.size(); ++j) {
     const Point at = camera.project(contacts[j].position);
     const bool is_met = meet(A, active, j);
@@ -61,7 +46,7 @@ void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::M
     // The two points of an overlap have their numbers between them, in the upper and in the lower box.
     const bool is_left = j % 2 == 0;
     const bool is_above = is_left || problem.rows[j].a == ground;
-    style.align = is_left ? render::Align::left : render::Align::right;
+    style.align = is_left ? Align::left : Align::right;
     const Point beside(at.x() + (is_left ? 8 : -8), at.y() + (is_above ? -7 : 7 + 0.8 * style.size));
     page.canvas().text(beside, fmt::format("{}", j + 1), style);
   }
@@ -84,7 +69,7 @@ void draw_row(Page& page, const StoredRun& run, int active) {
             fmt::format("Row {}: {} and {}. A push here changes the closing speed of {} of the {} contacts: "
                         "its own, and those on the same boxes. All other entries in this row of A are 0.",
                         active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
-  render::MatrixView view{
+  MatrixView view{
       .title = "A, base 3: red > 0, blue < 0", .values = A, .active_row = active, .numbers = false};
   for (int j = 1; j <= problem.row_count(); ++j) view.row_names.push_back(fmt::format("{}", j));
   view.column_names = view.row_names;
@@ -92,7 +77,7 @@ void draw_row(Page& page, const StoredRun& run, int active) {
 }
 
 /// Dark: in A. Grey, as all that does nothing: zero in A, and counted by (30).
-render::Color colour_of(const render::Theme& theme, Entry entry) {
+Color colour_of(const Theme& theme, Entry entry) {
   return entry == Entry::printed_only ? theme.inactive : theme.outline;
 }
 
@@ -146,9 +131,9 @@ void draw_strip(Page& page, const Rect& rect, const VelocityProblem<double>& pro
   if (asked) {
     const Rect strip{inside.x, inside.y + 0.2 * inside.height, inside.width, 0.6 * inside.height};
     draw_entries(page, strip, List<Entry>(m, Entry::zero), 0, m);
-    render::TextStyle style = page.label();
+    TextStyle style = page.label();
     style.size = 0.8 * strip.height;
-    style.align = render::Align::center;
+    style.align = Align::center;
     page.canvas().text({strip.x + strip.width / 2, strip.y + 0.78 * strip.height}, "?", style);
     return;
   }
@@ -175,7 +160,7 @@ void draw_largest(Page& page, const Rect& rect, const StoredRun& run) {
 }
 
 void draw_counts(Page& page, const Rect& rect, const StoredRun& run) {
-  render::TableView table{.header = {"", "full A", "not zero", "per row"}, .active_row = largest};
+  TableView table{.header = {"", "full A", "not zero", "per row"}, .active_row = largest};
   for (const Count& count : run.pyramids) {
     table.rows.push_back({count.name, spaced(count.dense), spaced(count.non_zeros),
                           fmt::format("{:.1f}", count.non_zeros / count.rows)});

@@ -1,13 +1,6 @@
 // Prints the counts, what solvers keep and the three pairs, and checks them by formulas.
-#include "parts.hpp"
+#include "lesson.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
 #include "solvers/body_rows.hpp"
 
 namespace cairn::stored {

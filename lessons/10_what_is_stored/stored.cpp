@@ -1,10 +1,5 @@
 // The scenes, the three pairs, and counts by formula.
-#include "stored.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
 #include "solvers/body_rows.hpp"
 

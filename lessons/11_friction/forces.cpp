@@ -1,16 +1,7 @@
 // Lesson 11. Forces on the block, drawn upon the slope.
-#include "forces.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include "math/list.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
-
-using namespace render;
 
 namespace {
 

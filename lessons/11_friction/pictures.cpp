@@ -1,21 +1,9 @@
 // Lesson 11. Forces: what is needed, what is allowed, and how the bounds move within a step.
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "forces.hpp"
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/bars.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
 
 namespace {
-
-using namespace render;
 
 Bar named_bar(const std::string& name, double before, double added) {
   return {.name = name + " " + fixed(before + added, 2), .before = before, .added = added};

@@ -1,18 +1,7 @@
 // Lesson 11. What is printed, and what is checked.
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
-
-using render::fixed;
-using render::significant;
 
 namespace {
 

@@ -1,20 +1,9 @@
 // Lesson 11. The slide in two engines, the four slopes, and the acceleration over the angle.
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
 
 namespace {
-
-using namespace render;
 
 /// One engine's block with its earlier outlines and its velocity, under a bar in the engine's colour.
 void draw_engine(Page& page, const Rect& rect, const std::string& name, const SeriesStyle& style,

@@ -1,7 +1,5 @@
 // Lesson 11. A block on a slope, observed; and what two engines make of it.
-#include "slope.hpp"
-
-#include <algorithm>
+#include "lesson.hpp"
 
 namespace cairn::friction {
 

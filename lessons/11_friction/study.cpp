@@ -1,8 +1,5 @@
 // Lesson 11. All that the lesson computes, before it tells or draws anything.
-#include "study.hpp"
-
-#include <algorithm>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::friction {
 

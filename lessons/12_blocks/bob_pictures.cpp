@@ -1,21 +1,9 @@
 // A bob with a tiny moment of inertia: where two rows throw it, and where their block keeps it.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::blocks {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 const double shown_seconds = 1.2;  // step by step; then the end
 
@@ -25,20 +13,20 @@ bool is_inside(const Rect& rect, const Point& point) {
 }
 
 void draw_bob(Page& page, const Rect& rect, const BobRun& run, int step, const std::string& name,
-              const render::SeriesStyle& style) {
+              const SeriesStyle& style) {
   const Rect inside = page.panel(rect, name);
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
-  const render::Camera camera = render::fit(inside, {{-1.25, -2.7}, {1.7, 1.35}});
+  const Camera camera = fit(inside, {{-1.25, -2.7}, {1.7, 1.35}});
   page.canvas().push_clip(inside);
   const Point pin = camera.project({0, 0});
   page.canvas().circle(pin, camera.scale, {.outline = page.theme().inactive, .outline_width = 2});
-  render::TextStyle text = page.label();
-  text.align = render::Align::center;
+  TextStyle text = page.label();
+  text.align = Align::center;
   page.canvas().text(camera.project({0, 1}) - Point(0, 8), "where the pin should hold it", text);
   List<Vec2<double>> path;
   for (int k = 0; k <= step && is_inside(inside, camera.project(run.path[k])); ++k)
     path.push_back(run.path[k]);
-  draw_trail(page, camera, path, {style.color, {}, render::Marker::none});
+  draw_trail(page, camera, path, {style.color, {}, Marker::none});
   const Point bob = camera.project(run.path[step]);
   if (is_inside(inside, bob))
     page.canvas().line(pin, bob, {.width = page.sizes().outline, .color = page.theme().joint});
@@ -52,23 +40,23 @@ void draw_bob(Page& page, const Rect& rect, const BobRun& run, int step, const s
   if (is_inside(inside, bob)) return;
   text.halo = page.theme().panel;
   page.canvas().text({pin.x(), pin.y() + 0.45 * camera.scale},
-                     fmt::format("{} m away", render::significant(run.path[step].norm(), 2)), text);
+                     fmt::format("{} m away", significant(run.path[step].norm(), 2)), text);
 }
 
 /// While it begins, the energy as it is; in the end its excess over that of hanging still, in decades.
 void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, int step) {
   const bool soon = step * all.settings.dt <= shown_seconds * (1 + 1e-9);
-  render::Plot plot{.title = soon ? "energy (J), 0 at rest at the pin"
-                                  : "energy above that of hanging still (J); gap: below"};
+  Plot plot{.title = soon ? "energy (J), 0 at rest at the pin"
+                          : "energy above that of hanging still (J); gap: below"};
   plot.x = {.title = "t (s)", .min = 0, .max = soon ? shown_seconds : all.settings.pin_seconds};
   if (soon) {
     plot.y = {.min = -25, .max = 25};
   } else {
     const double top = 10 * std::max(100.0, all.bob_rows.largest_energy);
-    plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.1, .max = top};
+    plot.y = {.scale = AxisScale::logarithmic, .min = 0.1, .max = top};
   }
-  const auto add = [&](const std::string& name, const BobRun& run, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
+  const auto add = [&](const std::string& name, const BobRun& run, const SeriesStyle& style) {
+    Series series{.name = name, .style = style};
     for (int k = 0; k * all.settings.dt <= *plot.x.max + 1e-9 && k < run.energy.size(); ++k) {
       series.x.push_back(k * all.settings.dt);
       series.y.push_back(run.energy[k] + (soon ? 0 : gravity));
@@ -91,7 +79,7 @@ void draw_bobs(Page& page, const BlocksRuns& all, int step) {
 
 void draw_both_bobs(Page& page, const FixedList<Rect, 2>& rects, const BlocksRuns& all, int step) {
   const std::string time =
-      fmt::format("{} s, {} sweeps per step", render::fixed(step * all.settings.dt, 2), all.settings.sweeps);
+      fmt::format("{} s, {} sweeps per step", fixed(step * all.settings.dt, 2), all.settings.sweeps);
   draw_bob(page, rects[0], all.bob_rows, step, "rows: " + time, style_of_rows(page));
   draw_bob(page, rects[1], all.bob_block, step, "block: " + time, style_of_blocks(page));
 }
@@ -104,7 +92,7 @@ List<Shot> bob_shots(const Runs& all) {
   List<Shot> shots;
   for (const int k : steps) {
     const double time = k * all->settings.dt;
-    shots.push_back({.state = fmt::format("C · {} s · step {}", render::fixed(time, 2), k),
+    shots.push_back({.state = fmt::format("C · {} s · step {}", fixed(time, 2), k),
                      .alt = fmt::format(
                          "A bob on a pin after {:.2f} s: row by row its energy is {:.3g} J, with the block "
                          "{:.3f} J.",

@@ -1,12 +1,7 @@
 // Lesson 12. What is printed, and what is checked.
-#include <fmt/format.h>
+#include "lesson.hpp"
 
 #include <Eigen/Cholesky>
-
-#include <algorithm>
-#include <cmath>
-
-#include "parts.hpp"
 
 namespace cairn::blocks {
 

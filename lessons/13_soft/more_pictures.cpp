@@ -1,43 +1,28 @@
 // Springs from soft to stiff, three weights as sweeps go by, and a spring that is a force.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/bars.hpp"
-#include "render/draw.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::soft {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
-
 const int shown_sweeps = 6;
 
 /// From one colour to another.
-render::Color between(const render::Color& from, const render::Color& to, float part) {
+Color between(const Color& from, const Color& to, float part) {
   return {from.r + part * (to.r - from.r), from.g + part * (to.g - from.g), from.b + part * (to.b - from.b)};
 }
 
 /// The darker, the stiffer: at last a rod.
 void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = "c (mm)"};
+  Plot plot{.title = "c (mm)"};
   plot.x = {.title = "t (s)", .min = 0, .max = 0.5};
   double lowest = 0;
   double highest = 0;
   for (const int shown : {0, 1, 2, all.stiff.size() - 1}) {
     const StiffRun& run = all.stiff[shown];
     const float part = static_cast<float>(plot.series.size()) / 3;
-    const FixedList<render::Marker, 4> markers = {render::Marker::diamond, render::Marker::square,
-                                                  render::Marker::triangle, render::Marker::circle};
-    render::Series series{
+    const FixedList<Marker, 4> markers = {Marker::diamond, Marker::square, Marker::triangle, Marker::circle};
+    Series series{
         .name = run.frequency < 1e5 ? fmt::format("{:g} Hz", run.frequency) : "10^{6} Hz",
         .style = {
             between(style_of_soft(page).color, page.theme().outline, part), {}, markers[plot.series.size()]}};
@@ -56,12 +41,11 @@ void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
 void draw_stiff(Page& page, const SoftRuns& all) {
   const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
   draw_stiff_curves(page, halves[0], all);
-  render::TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
+  TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
   for (const StiffRun& run : all.stiff) {
     const double sag = 1000 * run.sag;
     table.rows.push_back({run.frequency < 1e5 ? fmt::format("{:g}", run.frequency) : "10^{6}",
-                          render::significant(run.gamma, 3), fixed(run.beta, 4),
-                          render::significant(sag, 3)});
+                          significant(run.gamma, 3), fixed(run.beta, 4), significant(sag, 3)});
     if (run.frequency == all.settings.frequency) table.active_row = table.rows.size() - 1;
   }
   const double top = 0.6;
@@ -73,7 +57,7 @@ void draw_stiff(Page& page, const SoftRuns& all) {
 
 /// Three weights, one upon the other, on rods or on springs.
 void draw_column(Page& page, const Rect& rect, const ColumnRun& run, const std::string& title) {
-  const render::Camera camera = render::fit(page.panel(rect, title), {{-0.6, -0.05}, {0.6, 3.3}});
+  const Camera camera = fit(page.panel(rect, title), {{-0.6, -0.05}, {0.6, 3.3}});
   Snapshot column = run.start;
   for (const SnapshotJoint& joint : run.start.joints) {
     if (run.gamma > 0) {
@@ -95,11 +79,11 @@ void draw_matrices(Page& page, const SoftRuns& all) {
   const List<Rect> top = columns(parts[0], {0.16, 0.16, 0.36, 0.32}, page.sizes().gap);
   draw_column(page, top[0], all.rigid_column, "rods");
   draw_column(page, top[1], all.soft_column, "springs");
-  render::MatrixView view{.title = "A of the rods  |  A + γ of the springs (1/kg)",
-                          .values = Matrix<double>(column_weights, 2 * column_weights),
-                          .row_names = {"1", "2", "3"},
-                          .column_names = {"1", "2", "3", "1", "2", "3"},
-                          .column_group = column_weights};
+  MatrixView view{.title = "A of the rods  |  A + γ of the springs (1/kg)",
+                  .values = Matrix<double>(column_weights, 2 * column_weights),
+                  .row_names = {"1", "2", "3"},
+                  .column_names = {"1", "2", "3", "1", "2", "3"},
+                  .column_group = column_weights};
   view.values << all.rigid_column.A, all.soft_column.A;
   draw_matrix(page, top[2], view);
   page.note(
@@ -130,9 +114,9 @@ void draw_matrices(Page& page, const SoftRuns& all) {
 }
 
 void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep, const std::string& title,
-                  render::Color color) {
+                  Color color) {
   const double largest = *std::max_element(run.exact.begin(), run.exact.end());
-  render::BarChart chart{.title = title, .largest = 1.3 * largest, .color = color};
+  BarChart chart{.title = title, .largest = 1.3 * largest, .color = color};
   for (int i = 0; i < run.exact.size(); ++i) {
     const double before = run.by_si[sweep - 1][i];
     chart.bars.push_back({.name = fmt::format("row {}", i + 1),
@@ -150,10 +134,10 @@ void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
                style_of_rigid(page).color);
   draw_lambdas(page, top[1], all.soft_column, sweep, "springs that begin without load: λ (N)",
                style_of_soft(page).color);
-  render::Plot plot{.title = "largest error of λ, over the largest λ"};
+  Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = shown_sweeps};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 10};
-  const auto add = [&](const std::string& name, const ColumnRun& run, const render::SeriesStyle& style) {
+  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-8, .max = 10};
+  const auto add = [&](const std::string& name, const ColumnRun& run, const SeriesStyle& style) {
     List<double> errors;
     for (int k = 0; k <= shown_sweeps; ++k) errors.push_back(std::max(run.error[k], 1e-12));
     plot.series.push_back(over_steps(name, style, errors));
@@ -165,18 +149,16 @@ void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
   draw_plot(page, parts[1], plot);
 }
 
-render::SeriesStyle style_of_force(const Page& page) {
-  return {page.theme().external, {2, 5}, render::Marker::triangle};
-}
+SeriesStyle style_of_force(const Page& page) { return {page.theme().external, {2, 5}, Marker::triangle}; }
 
 void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = fmt::format("distance from the place of rest (m), {:g} Hz", harsh_hertz)};
+  Plot plot{.title = fmt::format("distance from the place of rest (m), {:g} Hz", harsh_hertz)};
   plot.x = {.title = "step", .min = 0, .max = 6};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
   SoftSettings harsh = all.settings;
   harsh.frequency = harsh_hertz;
   const double sag = harsh.mass * gravity / stiffness(harsh);
-  const auto add = [&](const std::string& name, const List<double>& error, const render::SeriesStyle& style) {
+  const auto add = [&](const std::string& name, const List<double>& error, const SeriesStyle& style) {
     List<double> distances;
     for (int k = 0; k <= 6; ++k) distances.push_back(std::abs(error[k] + sag));
     plot.series.push_back(over_steps(name, style, distances));
@@ -187,11 +169,11 @@ void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
 }
 
 void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = "a step multiplies the oscillation by at most"};
-  plot.x = {.title = "f (Hz)", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.01, .max = 1e3};
-  render::Series row{.name = "row", .style = style_of_soft(page), .markers = false};
-  render::Series force{.name = "force", .style = style_of_force(page), .markers = false};
+  Plot plot{.title = "a step multiplies the oscillation by at most"};
+  plot.x = {.title = "f (Hz)", .scale = AxisScale::logarithmic, .min = 0.1, .max = 100};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 0.01, .max = 1e3};
+  Series row{.name = "row", .style = style_of_soft(page), .markers = false};
+  Series force{.name = "force", .style = style_of_force(page), .markers = false};
   for (const Growth& growth : all.growth) {
     row.x.push_back(growth.frequency);
     row.y.push_back(growth.row);

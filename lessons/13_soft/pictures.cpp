@@ -1,24 +1,9 @@
 // A weight on a soft row beside one on a row without gamma: every step, the question, and the answer.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::soft {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 const double soft_x = 0;  // [m] where the weights stand in the picture
 const double rigid_x = 1.1;
@@ -29,7 +14,7 @@ const int most_frames = 75;  // of the motion
 int last_step(const SoftRuns& all) { return all.spring.steps.size() - 1; }
 
 /// Ground, the height of the weights' lower edges without load, and how far the soft row's is from it.
-void draw_levels(Page& page, const render::Camera& camera, double error) {
+void draw_levels(Page& page, const Camera& camera, double error) {
   const List<Point> ground_outline = {camera.project({left_x, 0}), camera.project({right_x, 0}),
                                       camera.project({right_x, -0.06}), camera.project({left_x, -0.06})};
   page.canvas().polygon(ground_outline, {.fill = page.theme().static_body});
@@ -38,7 +23,7 @@ void draw_levels(Page& page, const render::Camera& camera, double error) {
   page.canvas().line(camera.project({left_x, rest_length}), camera.project({right_x, rest_length}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 5}});
   page.canvas().text(camera.project({0.58, rest_length + 0.03}), "no load", page.label());
-  const render::Stroke thin{.width = 1.5, .color = page.theme().text};
+  const Stroke thin{.width = 1.5, .color = page.theme().text};
   const double x = left_x + 0.1, foot = rest_length + error;
   page.canvas().line(camera.project({x, rest_length}), camera.project({x, foot}), thin);
   page.canvas().line(camera.project({x - 0.04, foot}), camera.project({soft_x - half_height, foot}), thin);
@@ -47,10 +32,10 @@ void draw_levels(Page& page, const render::Camera& camera, double error) {
 }
 
 /// The push of a row beside its weight: 110 N are three quarters of a metre long for 1 kg.
-void draw_push(Page& page, const render::Camera& camera, const SoftRuns& all, const Vec2<double>& tail,
-               double lambda, const std::string& text, render::ArrowKind kind) {
+void draw_push(Page& page, const Camera& camera, const SoftRuns& all, const Vec2<double>& tail, double lambda,
+               const std::string& text, ArrowKind kind) {
   const double weight = all.settings.mass * gravity;
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = 0.068 * camera.scale / weight, .longest = 0.8 * camera.scale, .unit = "N"};
   draw_arrow(page, camera, scale, {.kind = kind, .tail = tail, .value = {0, lambda}});
   if (lambda * scale.pixels_per_unit > scale.longest) return;  // then it says so itself
@@ -68,8 +53,8 @@ std::string newtons(const SoftRuns& all, double lambda) {
   return fixed(lambda + 0.0, all.settings.mass < 0.1 ? 3 : all.settings.mass < 10 ? 1 : 0) + " N";
 }
 
-void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, const WeightRun& run,
-                 int step, double x) {
+void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const WeightRun& run, int step,
+                 double x) {
   Snapshot scene = run.steps[step];
   scene.joints.clear();
   scene.bodies[{1}].pose.position.x() += x;
@@ -89,13 +74,13 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
     draw_unknown_push(page, camera.project(tail));
   } else {
     draw_push(page, camera, all, tail, lambda, step == 0 ? fixed(lambda, 0) + " N" : newtons(all, lambda),
-              step == 0 ? render::ArrowKind::inactive : render::ArrowKind::joint);
+              step == 0 ? ArrowKind::inactive : ArrowKind::joint);
   }
   if (step == 1 && is_soft)
     draw_push(page, camera, all, tail + Vec2<double>(0.3, 0), force, "force: " + newtons(all, force),
-              render::ArrowKind::inactive);
-  render::TextStyle name = page.label();
-  name.align = render::Align::center;
+              ArrowKind::inactive);
+  TextStyle name = page.label();
+  name.align = Align::center;
   const Point at = camera.project({x, -0.08});
   page.canvas().text({at.x(), at.y() + name.size}, is_soft ? "soft row" : "rod: γ = 0, same β", name);
 }
@@ -103,7 +88,7 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
 /// Both weights.
 void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   const Rect inside = page.panel(rect, "");
-  const render::Camera camera = render::fit(inside, {{left_x, -0.2}, {right_x, 1.7}});
+  const Camera camera = fit(inside, {{left_x, -0.2}, {right_x, 1.7}});
   draw_levels(page, camera, all.spring.error[step]);
   draw_weight(page, camera, all, all.spring, step, soft_x);
   draw_weight(page, camera, all, all.rigid, step, rigid_x);
@@ -111,10 +96,10 @@ void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
 
 /// c against time; what comes after `step` is pale.
 void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
-  render::Plot plot{.title = "c (mm), 0 without load"};
+  Plot plot{.title = "c (mm), 0 without load"};
   plot.x = {.title = "t (s)", .min = 0, .max = seconds};
-  render::Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
-  exact.style.marker = render::Marker::none;
+  Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
+  exact.style.marker = Marker::none;
   const int points = std::clamp(static_cast<int>(40 * all.settings.frequency * seconds), 200, 4000);
   double lowest = 0;
   double highest = 0;
@@ -126,8 +111,8 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   }
   plot.y = {.min = lowest - 10, .max = highest + 20};
   plot.series.push_back(exact);
-  const auto add = [&](const std::string& name, const WeightRun& run, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
+  const auto add = [&](const std::string& name, const WeightRun& run, const SeriesStyle& style) {
+    Series series{.name = name, .style = style};
     for (int k = 0; k * all.settings.dt <= seconds + 1e-9 && k < run.error.size(); ++k) {
       series.x.push_back(k * all.settings.dt);
       series.y.push_back(1000 * run.error[k]);
@@ -185,8 +170,8 @@ QuestionFrame weights_frame(const Runs& all, int step) {
 
 }  // namespace
 
-void draw_spring(Page& page, const render::Camera& camera, double x, double bottom, double top,
-                 const render::SeriesStyle& style) {
+void draw_spring(Page& page, const Camera& camera, double x, double bottom, double top,
+                 const SeriesStyle& style) {
   const int turns = 7;
   const double straight = 0.08 * (top - bottom);
   const double pitch = (top - bottom - 2 * straight) / turns;
@@ -200,8 +185,8 @@ void draw_spring(Page& page, const render::Camera& camera, double x, double bott
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
 }
 
-render::SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
-render::SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
+SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
+SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
 
 List<Shot> soft_shots(const SoftRuns& recorded) {
   const Runs all = std::make_shared<const SoftRuns>(recorded);

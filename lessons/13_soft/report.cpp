@@ -1,9 +1,5 @@
 // Lesson 13. What is printed.
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::soft {
 

@@ -1,12 +1,5 @@
 // The rope beside a tower: sweeps with a virtual call for each constraint, and with a loop for contacts.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::pulley {
 

@@ -1,12 +1,5 @@
 // Lesson 14. What is printed, and what is checked.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::pulley {
 
@@ -19,10 +12,10 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
   lesson.print("The row of the rope, before the first sweep:");
   lesson.print("        body 1    body 2    body 3");
   lesson.print(fmt::format("  j   (0, {:g}, 0)  (0, {:g}, 0)  (0, {:g}, 0)", parts[0], parts[1], parts[2]));
-  const auto speed = [&all](int body) { return render::fixed(all.first.velocity[{body}].y(), 3); };
+  const auto speed = [&all](int body) { return fixed(all.first.velocity[{body}].y(), 3); };
   lesson.print(fmt::format("  v_y  {:>8}  {:>8}  {:>8}  m/s", speed(1), speed(2), speed(3)));
   lesson.print(fmt::format("  (22)  λ = ({:g} − ({})) / ({:.4f} × {:g}) = {:.4f} N, in one sweep",
-                           row.bias + 0.0, render::fixed(jv, 3), inverse, all.settings.dt,
+                           row.bias + 0.0, fixed(jv, 3), inverse, all.settings.dt,
                            (row.bias - jv) / inverse / all.settings.dt));
   const Matrix<double> J = system_matrices(all.first).J;
   std::string line;
@@ -125,7 +118,7 @@ std::string what_goes_down(const PulleySettings& settings) {
     const double weight = gravity * settings.masses[i];
     if (!(weight - parts[i] * tension > 1e-9 * weight)) continue;
     masses += fmt::format("{}mass {} ({} N of {:g} N)", masses.empty() ? "" : ", ", i + 1,
-                          render::fixed(parts[i] * tension, 1), weight);
+                          fixed(parts[i] * tension, 1), weight);
   }
   return masses.empty() ? "none does, all pulls equal the weights" : masses;
 }

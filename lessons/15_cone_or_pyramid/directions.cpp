@@ -1,27 +1,17 @@
 // Where all pucks stop that start in one place with one speed.
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "panels.hpp"
-#include "render/camera.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::top_view {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 /// Where all pucks stop that start in one place with one speed.
 void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
   const Rect inside = page.panel(rect, "where the pucks stop, by direction");
   const double distance = all.settings.distance();
   const double reach = 1.12 * distance;
-  const render::Camera camera = render::fit(inside, {{-reach, -reach}, {reach, reach}});
-  const render::Stroke thin{.width = 1, .color = page.theme().inactive};
+  const Camera camera = fit(inside, {{-reach, -reach}, {reach, reach}});
+  const Stroke thin{.width = 1, .color = page.theme().inactive};
   const Point start = camera.project({0, 0});
   List<Point> rim;
   List<Point> diamond;
@@ -44,7 +34,7 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
   }
   for (const bool is_circle : {true, false}) {  // in the corners at the right, where no puck stops
     const Point at = camera.project({0.7 * distance, (is_circle ? 0.96 : -0.96) * distance});
-    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
+    const SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
     draw_marker(page.canvas(), at, style.marker, radius, style.color);
     page.canvas().text({at.x() + 2 * radius, at.y() + radius}, is_circle ? "circle" : "square", page.label());
   }
@@ -54,10 +44,10 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
 using Measure = double (*)(const Vec2<double>& place);
 
 /// The measure of the square over the direction in degrees, by its formula.
-render::Series formula_series(const Page& page, Measure measure) {
-  render::SeriesStyle thin = page.theme().exact;
-  thin.marker = render::Marker::none;
-  render::Series series{.style = thin, .markers = false};
+Series formula_series(const Page& page, Measure measure) {
+  SeriesStyle thin = page.theme().exact;
+  thin.marker = Marker::none;
+  Series series{.style = thin, .markers = false};
   for (int i = 0; i <= 90; ++i) {
     const double c = std::cos(i * pi / 180);
     const double s = std::sin(i * pi / 180);
@@ -68,11 +58,11 @@ render::Series formula_series(const Page& page, Measure measure) {
 }
 
 /// The measure of the slides that were made, from 0 to 90 degrees.
-render::Series slides_series(const render::SeriesStyle& style, const Slides& all, int count,
-                             Vec2<double> Direction::*stop, Measure measure) {
+Series slides_series(const SeriesStyle& style, const Slides& all, int count, Vec2<double> Direction::*stop,
+                     Measure measure) {
   // The circle's are a line, as they would cover the square's along the axes.
   const bool is_line = stop == &Direction::circle;
-  render::Series series{.style = style, .line = is_line, .markers = !is_line};
+  Series series{.style = style, .line = is_line, .markers = !is_line};
   for (int i = 0; i < std::min(count, 7); ++i) {
     const Direction& direction = all.directions[i];
     series.x.push_back(direction.degrees);
@@ -83,7 +73,7 @@ render::Series slides_series(const render::SeriesStyle& style, const Slides& all
   return series;
 }
 
-List<render::Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
+List<Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
   return {formula_series(page, measure),
           slides_series(page.theme().si, all, count, &Direction::circle, measure),
           slides_series(page.theme().box2d, all, count, &Direction::square, measure)};
@@ -98,13 +88,13 @@ void draw_directions(Page& page, const Slides& all, int count) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_stops(page, halves[0], all, count);
   const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
-  render::Plot length{.title = "distance to the stop / (v²/2μg), the curve by formula"};
+  Plot length{.title = "distance to the stop / (v²/2μg), the curve by formula"};
   length.x = {.title = "direction of the start (°)", .min = 0, .max = 90};
   length.y = {.title = "", .min = 0.6, .max = 1.1};
   length.series = over_direction(page, all, count, length_of);
   length.goals = {{std::sqrt(0.5), "1/√2"}};
   draw_plot(page, right[0], length);
-  render::Plot angle{.title = "direction of the stop (°), the curve by formula"};
+  Plot angle{.title = "direction of the stop (°), the curve by formula"};
   angle.x = length.x;
   angle.y = {.title = "", .min = 0, .max = 90};
   angle.series = over_direction(page, all, count, direction_of);

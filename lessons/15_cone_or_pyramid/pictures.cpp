@@ -1,25 +1,9 @@
 // The table from above, the plane of the friction forces with its two limits, and where all pucks stop.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <set>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "panels.hpp"
-#include "parts.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::top_view {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 using Recorded = std::shared_ptr<const Slides>;
 
@@ -32,7 +16,7 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
   const auto entry = [&](int needed, double force, int decimals) -> std::string {
     return known >= needed ? fixed(force + 0.0, decimals) : "?";
   };
-  render::TableView table{.header = {"λ (N)", "asked for", "parts clamped", "vector clamped"}};
+  TableView table{.header = {"λ (N)", "asked for", "parts clamped", "vector clamped"}};
   table.rows = {{"λ_{x}", entry(1, wanted.x(), 1), entry(1, parts.x(), 2), entry(3, vector.x(), 2)},
                 {"λ_{y}", entry(2, wanted.y(), 1), entry(2, parts.y(), 2), entry(3, vector.y(), 2)},
                 {"|λ|", entry(2, wanted.norm(), 1), entry(2, parts.norm(), 2), entry(3, vector.norm(), 2)}};
@@ -41,8 +25,8 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
 }
 
 /// A moment of the first step: the forces, the equation that gives the last of them, and a word about it.
-void draw_first_step(Page& page, const Slides& all, const Forces& forces, const render::Equation& equation,
-                     int known, const std::string& title, const std::string& text) {
+void draw_first_step(Page& page, const Slides& all, const Forces& forces, const Equation& equation, int known,
+                     const std::string& title, const std::string& text) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_limits(page, halves[0], all, forces);
   const List<Rect> panels = rows(halves[1], {0.32, 0.34, 0.34}, page.sizes().gap);
@@ -74,7 +58,7 @@ void draw_row(Page& page, const Slides& all, int i) {
       i == 0
           ? fmt::format("This row sees v_{{x}} alone. Stopping it within the step would take {} times μN, so "
                         "the clamp leaves −μN: the side of the square.",
-                        render::significant(-wanted.x() / settings.limit()))
+                        significant(-wanted.x() / settings.limit()))
           : fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "
                         "μN, {}° off the dashed line against v.",
                         fixed(parts.norm(), 2), fixed(parts.norm() / settings.limit(), 2),
@@ -99,9 +83,9 @@ void draw_vector(Page& page, const Slides& all) {
       "circle.");
 }
 
-render::Series speed_series(const std::string& name, const render::SeriesStyle& style, const Slides& all,
-                            const Slide& slide) {
-  render::Series series{.name = name, .style = style};
+Series speed_series(const std::string& name, const SeriesStyle& style, const Slides& all,
+                    const Slide& slide) {
+  Series series{.name = name, .style = style};
   for (int i = 0; i < slide.steps.size(); ++i) {
     series.x.push_back(i * all.settings.dt);
     series.y.push_back(slide.steps[i].velocity.norm());
@@ -110,7 +94,7 @@ render::Series speed_series(const std::string& name, const render::SeriesStyle& 
 }
 
 void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
-  render::Plot plot{.title = "speed (m/s)"};
+  Plot plot{.title = "speed (m/s)"};
   const int last = all.circle.steps.size() - 1;
   plot.x = {.title = "t (s)", .min = 0, .max = last * all.settings.dt};
   plot.y = {.title = "", .min = 0, .max = 1.1 * all.settings.speed()};
@@ -125,15 +109,15 @@ void draw_step(Page& page, const Slides& all, int k) {
   draw_table(page, halves[0], all, k);
   const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
   const Vec2<double> circle = all.circle.steps[k].lambda, square = all.square.steps[k].lambda;
-  const render::Camera camera = draw_limits(page, right[0], all, {.active = {circle, square}});
+  const Camera camera = draw_limits(page, right[0], all, {.active = {circle, square}});
   double base = camera.viewport.y;
   for (const bool is_circle : {false, true}) {  // at the head of each force its limit's marker
     const Vec2<double>& lambda = is_circle ? circle : square;
-    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
+    const SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
     draw_marker(page.canvas(), camera.project(lambda), style.marker, 1.3 * page.sizes().marker, style.color);
     base += 1.4 * page.sizes().title;
-    render::TextStyle text = name_style(page, page.sizes().title, style.color);
-    text.align = render::Align::right;
+    TextStyle text = name_style(page, page.sizes().title, style.color);
+    text.align = Align::right;
     page.canvas().text({camera.viewport.x + camera.viewport.width, base},
                        fmt::format("{}: {:.2f} N", is_circle ? "circle" : "square", lambda.norm()), text);
   }
@@ -175,7 +159,7 @@ std::string answer_text(const Slides& all) {
 }
 
 /// "circle: 2.45 m" beside its way.
-void draw_way(Page& page, const render::Camera& camera, const Slide& slide, double aside) {
+void draw_way(Page& page, const Camera& camera, const Slide& slide, double aside) {
   const bool is_circle = slide.shape == FrictionShape::circle;
   const Vec2<double> end = slide.steps.back().place;
   draw_dimension(page, camera, end, aside,
@@ -186,10 +170,10 @@ void draw_way(Page& page, const render::Camera& camera, const Slide& slide, doub
 /// The table before the first step with the way that is known, and what limits the friction.
 void draw_question(Page& page, const Rect& rect, const Slides& all) {
   const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
-  const render::Camera camera = draw_table(page, halves[0], all, 0);
+  const Camera camera = draw_table(page, halves[0], all, 0);
   draw_way(page, camera, all.circle, 24);
-  render::TextStyle asked = name_style(page, page.sizes().title, page.theme().box2d.color);
-  asked.align = render::Align::right;
+  TextStyle asked = name_style(page, page.sizes().title, page.theme().box2d.color);
+  asked.align = Align::right;
   page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
                      asked);
   draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});
@@ -197,7 +181,7 @@ void draw_question(Page& page, const Rect& rect, const Slides& all) {
 
 /// The table with both pucks at rest, and how far that is from the start.
 void draw_ends(Page& page, const Rect& rect, const Slides& all) {
-  const render::Camera camera = draw_table(page, rect, all, all.circle.steps.size() - 1);
+  const Camera camera = draw_table(page, rect, all, all.circle.steps.size() - 1);
   draw_way(page, camera, all.circle, 40);
   draw_way(page, camera, all.square, -40);
 }

@@ -1,18 +1,11 @@
 // The contacts of the pyramid as a graph: which colour each has, and what goes at the same time.
-#include <fmt/format.h>
+#include "lesson.hpp"
 
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
 #include "render/lint.hpp"
 
 namespace cairn::everybody {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 /// From the middle of one box to the middle of the other; from the ground straight up.
 struct Edge {
@@ -20,7 +13,7 @@ struct Edge {
   Point to = {0, 0};
 };
 
-Edge edge_of(const render::Camera& camera, const Snapshot& snapshot, const ColouredContact& contact) {
+Edge edge_of(const Camera& camera, const Snapshot& snapshot, const ColouredContact& contact) {
   const Vec2<double> upper = snapshot.bodies[contact.b].pose.position;
   Vec2<double> lower = snapshot.bodies[contact.a].pose.position;
   if (contact.a == ground) lower = {upper.x(), 0};
@@ -28,32 +21,31 @@ Edge edge_of(const render::Camera& camera, const Snapshot& snapshot, const Colou
 }
 
 /// What a colour of the graph looks like.
-render::Color color_of(const Page& page, int colour) {
-  const render::Theme& theme = page.theme();
-  const FixedList<render::Color, 4> colors = {theme.positive, theme.velocity, theme.penetration,
-                                              theme.negative};
+Color color_of(const Page& page, int colour) {
+  const Theme& theme = page.theme();
+  const FixedList<Color, 4> colors = {theme.positive, theme.velocity, theme.penetration, theme.negative};
   return colors[colour % colors.size()];
 }
 
 /// All contacts, each in its colour, with the number of that.
 void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
   const Rect inside = page.panel(rect, "contacts, each in its colour");
-  const render::Camera camera = pyramid_camera(inside, run.settings.base);
+  const Camera camera = pyramid_camera(inside, run.settings.base);
   draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
   for (const ColouredContact& contact : run.contacts.contacts) {
     const Edge edge = edge_of(camera, run.snapshot, contact);
     page.canvas().line(edge.from, edge.to,
                        {.width = page.sizes().arrow, .color = color_of(page, contact.colour)});
   }
-  render::TextStyle text = page.value();
+  TextStyle text = page.value();
   text.bold = true;
-  text.align = render::Align::center;
+  text.align = Align::center;
   const double radius = 0.72 * text.size;
   for (const ColouredContact& contact : run.contacts.contacts) {
     const Edge edge = edge_of(camera, run.snapshot, contact);
     const double share = contact.a == ground ? 0.0 : 0.5;
     const Point middle = edge.from + share * (edge.to - edge.from);
-    const render::Color fill = color_of(page, contact.colour);
+    const Color fill = color_of(page, contact.colour);
     page.canvas().circle(middle, radius, {.fill = fill, .outline = page.theme().outline, .outline_width = 1});
     text.color = render::ink_on(fill);
     text.halo = fill;
@@ -67,7 +59,7 @@ void draw_turn(Page& page, const Rect& rect, const PileRun& run, int colour) {
   const int count = run.contacts.count[colour];
   const Rect inside =
       page.panel(rect, fmt::format("turn {}: {} contact{}", colour + 1, count, count == 1 ? "" : "s"));
-  const render::Camera camera = pyramid_camera(inside, run.settings.base);
+  const Camera camera = pyramid_camera(inside, run.settings.base);
   for (const SnapshotBody& body : run.snapshot.bodies) {
     if (body.type != BodyType::dynamic) continue;
     const Point low = camera.project(body.pose.position - Vec2<double>(0.5, 0.5));
@@ -91,9 +83,9 @@ void draw_turn(Page& page, const Rect& rect, const PileRun& run, int colour) {
 
 }  // namespace
 
-render::Camera pyramid_camera(const Rect& inside, int base) {
+Camera pyramid_camera(const Rect& inside, int base) {
   const double half = 0.625 * base + 0.2;
-  return render::fit(inside, {{-half, -0.3}, {half, base + 0.1}});
+  return fit(inside, {{-half, -0.3}, {half, base + 0.1}});
 }
 
 void draw_colours(Page& page, const PileRun& run) {

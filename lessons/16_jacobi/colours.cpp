@@ -1,10 +1,5 @@
 // Colours, given one after the other.
-#include "colours.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <set>
+#include "lesson.hpp"
 
 namespace cairn::everybody {
 

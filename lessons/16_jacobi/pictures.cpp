@@ -1,24 +1,9 @@
 // The box on its feet: who pushes how hard, the sum of it, and the speed that it leaves.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::everybody {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 using Feet = std::shared_ptr<const FeetRun>;
 
@@ -27,18 +12,16 @@ const double sum_place = 1.2;    // [m] where the pushes stand upon each other, 
 const double weight_place = 1.5;
 
 /// The pushes of all feet at their feet, and once more tip to tail beside the weight.
-void draw_pushes(Page& page, const render::Camera& camera, const FeetRun& run, int sweep) {
+void draw_pushes(Page& page, const Camera& camera, const FeetRun& run, int sweep) {
   const List<double>& lambda = history_of(run, Method::plain).lambda[sweep];
   const double weight = box_mass * gravity;
-  const render::ArrowScale forces{
-      .pixels_per_unit = 1.55 * camera.scale / (weight * std::max(1.0, run.answer)),
-      .longest = 2 * camera.scale};
+  const ArrowScale forces{.pixels_per_unit = 1.55 * camera.scale / (weight * std::max(1.0, run.answer)),
+                          .longest = 2 * camera.scale};
   const double metres = forces.pixels_per_unit / camera.scale;  // for a newton
-  render::TextStyle text = page.value();
-  text.align = render::Align::center;
-  draw_arrow(
-      page, camera, forces,
-      {.kind = render::ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
+  TextStyle text = page.value();
+  text.align = Align::center;
+  draw_arrow(page, camera, forces,
+             {.kind = ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
   page.canvas().text(camera.project({weight_place, weight * metres + 0.03}),
                      fmt::format("weight {:g} N", weight), text);
   text.bold = true;
@@ -62,16 +45,16 @@ void draw_pushes(Page& page, const render::Camera& camera, const FeetRun& run, i
 /// The box with what each foot has given so far, and how fast it moves.
 void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const Rect inside = page.panel(rect, "");
-  render::Camera camera = render::fit(inside, {{-0.65, -0.1}, {1.8, 1.35}});
+  Camera camera = fit(inside, {{-0.65, -0.1}, {1.8, 1.35}});
   camera.center.y() = 0.5 * inside.height / camera.scale - 0.15;  // little of the ground
   draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
   draw_pushes(page, camera, run, sweep);
   const double speed = history_of(run, Method::plain).speed[sweep];
   const double fastest = gravity * time_step * std::max(1.0, run.answer - 1);
   draw_arrow(page, camera, {.pixels_per_unit = 0.3 * camera.scale / fastest, .longest = camera.scale},
-             {.kind = render::ArrowKind::velocity, .tail = {0.62, box_middle}, .value = {0, speed}});
+             {.kind = ArrowKind::velocity, .tail = {0.62, box_middle}, .value = {0, speed}});
   page.canvas().text(camera.project({0.67, box_middle + 0.12 * speed / fastest}),
-                     fixed(speed, 3, render::Sign::always) + " m/s", page.value());
+                     fixed(speed, 3, Sign::always) + " m/s", page.value());
 }
 
 /// What a sweep of plain Jacobi does.
@@ -123,9 +106,9 @@ Shot sweep_shot(const Feet& run, int sweep) {
 /// The four methods' speeds, and the number that decides.
 void draw_speeds(Page& page, const FeetRun& run) {
   const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  render::Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
+  Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-8, .max = 1};
   for (const FeetHistory& history : run.histories) {
     List<double> size;
     for (const double speed : history.speed) {
@@ -136,7 +119,7 @@ void draw_speeds(Page& page, const FeetRun& run) {
                                      style_of(page.theme(), history.method), size));
   }
   draw_plot(page, parts[0], plot);
-  render::TableView table;
+  TableView table;
   table.header = {"method", "the speed", "q = ω Σ c", "left after 5"};
   table.text_columns = 2;
   for (const FeetHistory& history : run.histories) {
@@ -205,10 +188,10 @@ std::string method_name(Method method, double omega) {
   return method == Method::split ? "Jacobi, split" : "SI";
 }
 
-render::SeriesStyle style_of(const render::Theme& theme, Method method) {
+SeriesStyle style_of(const Theme& theme, Method method) {
   if (method == Method::plain) return theme.jacobi;
-  if (method == Method::damped) return {theme.pgs.color, {12, 5}, render::Marker::circle};
-  if (method == Method::split) return {theme.box2d.color, {}, render::Marker::triangle};
+  if (method == Method::damped) return {theme.pgs.color, {12, 5}, Marker::circle};
+  if (method == Method::split) return {theme.box2d.color, {}, Marker::triangle};
   return theme.si;
 }
 

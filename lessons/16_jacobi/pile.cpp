@@ -1,12 +1,7 @@
 // The pyramid's matrix and its eigenvalues, solves of one step, and two worlds under a falling ball.
-#include "pile.hpp"
+#include "lesson.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "lessons/kit/lesson.hpp"
 
 namespace cairn::everybody {
 

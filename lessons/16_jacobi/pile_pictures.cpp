@@ -1,33 +1,18 @@
 // The pyramid: what decides whether Jacobi converges, what it costs, and two worlds beside their mirror
 // images.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-#include <set>
-
-#include "lessons/kit/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::everybody {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 using Pile = std::shared_ptr<const PileRun>;
 
 /// The pyramid with the number of rows on each box.
 void draw_rows_on_boxes(Page& page, const Rect& rect, const PileRun& run) {
   const Rect inside = page.panel(rect, "rows on each box");
-  const render::Camera camera = pyramid_camera(inside, run.settings.base);
-  render::WorldLook look;
+  const Camera camera = pyramid_camera(inside, run.settings.base);
+  WorldLook look;
   for (const BodyId body : run.rows_on_box.indices())
     look.names.push_back(body == ground ? "" : fmt::format("{}", run.rows_on_box[body]));
   draw_world(page, camera, run.snapshot, look);
@@ -42,7 +27,7 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
   const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
   draw_rows_on_boxes(page, halves[0], run);
   const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  render::TableView table;
+  TableView table;
   table.header = {"method", "ω × eigenvalue", "it converges"};
   for (const PileHistory& history : run.histories) {
     const bool in_turn = history.method == Method::sequential;
@@ -61,12 +46,12 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
 
 void draw_convergence(Page& page, const PileRun& run) {
   const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  render::Plot plot{.title = "residual R_{E} after each sweep"};
+  Plot plot{.title = "residual R_{E} after each sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = 300};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 5e-4, .max = 1e2};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5e-4, .max = 1e2};
   for (const PileHistory& history : run.histories) {
-    render::Series series{.name = method_name(history.method, run.settings.omega),
-                          .style = style_of(page.theme(), history.method)};
+    Series series{.name = method_name(history.method, run.settings.omega),
+                  .style = style_of(page.theme(), history.method)};
     for (int k = 0; k <= 300; ++k) {
       if (!(history.residual[k] < 1e2 && history.residual[k] > 5e-4)) break;
       series.x.push_back(k);
@@ -76,7 +61,7 @@ void draw_convergence(Page& page, const PileRun& run) {
   }
   plot.goals.push_back({0.01, "1 %"});
   draw_plot(page, parts[0], plot);
-  render::TableView table;
+  TableView table;
   table.header = {"method", "sweeps to 1 %", "waits a sweep", "waits"};
   const auto line = [&](const std::string& name, const PileHistory& history) {
     const int waits = waits_per_sweep(run, history);
@@ -112,23 +97,23 @@ void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, in
   const MirrorRun& mirror = run.mirrors[which];
   const Rect inside =
       draw_solver_panel(page, rect, style_of(page.theme(), mirror.method), mirror_name(mirror),
-                        "off by " + render::significant(mirror.asymmetry[step], 2) + " m");
+                        "off by " + significant(mirror.asymmetry[step], 2) + " m");
   const double base = run.settings.base, half = 0.625 * base + 0.6;
-  const render::Camera camera = render::fit(inside, {{-half, -0.3}, {half, base + 1.7}});
+  const Camera camera = fit(inside, {{-half, -0.3}, {half, base + 1.7}});
   draw_world(page, camera, mirror.frames[step], {.numbers = false, .contacts = false, .penetration = false});
   const Snapshot image = mirrored(mirror.frames[step]);
   draw_ghosts(page, camera, {&image, 1});
 }
 
 void draw_asymmetry(Page& page, const PileRun& run, int step) {
-  render::Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
+  Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
   plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-19, .max = 1e1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-19, .max = 1e1};
   for (const MirrorRun& mirror : run.mirrors)
     plot.series.push_back(
         over_steps(mirror_name(mirror), style_of(page.theme(), mirror.method), mirror.asymmetry));
   plot.series[2].style.dash = {3, 4};
-  plot.series[2].style.marker = render::Marker::circle;
+  plot.series[2].style.marker = Marker::circle;
   plot.now = step;
   const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
   const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);

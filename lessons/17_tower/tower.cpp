@@ -1,10 +1,8 @@
 // The scene, the loads of a snapshot, and Box2D.
-#include "tower.hpp"
+#include "lesson.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "reference/box2d_world.hpp"
 
-#include "lessons/kit/lesson.hpp"
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"
 #endif

@@ -1,12 +1,9 @@
 // What a row update costs on this machine, for solvers that do the same arithmetic in different ways.
-#include <algorithm>
+#include "lesson.hpp"
+
 #include <chrono>
-#include <cmath>
-#include <functional>
 
 #include "constraints/converted.hpp"
-#include "cost.hpp"
-#include "math/list.hpp"
 
 namespace cairn::cost {
 

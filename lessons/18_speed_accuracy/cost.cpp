@@ -1,10 +1,8 @@
 // The tower as rows, the solvers on it, and what theory says about them.
-#include "cost.hpp"
+#include "lesson.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
 #include "constraints/converted.hpp"
 #include "validation/column.hpp"

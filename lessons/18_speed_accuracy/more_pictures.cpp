@@ -1,20 +1,9 @@
 // Errors against sweeps and work; tower sizes, precision, the time of a row update.
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::cost {
 
 namespace {
-
-using render::AxisScale;
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 constexpr double first_sweep = 3;  // of the curves: before it all errors are nearly 1
 constexpr double last_error = 1e-6;
@@ -24,12 +13,12 @@ constexpr double last_error = 1e-6;
 void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work) {
   const std::string what = is_work ? "multiply-adds" : "sweeps";
   const double work = is_work ? run.curves[si_curve].work : 1;
-  render::Plot plot{.title = "error against " + what,
-                    .x = {.title = what, .scale = AxisScale::logarithmic, .min = first_sweep * work},
-                    .y = {.title = "", .scale = AxisScale::logarithmic, .min = last_error, .max = 2}};
+  Plot plot{.title = "error against " + what,
+            .x = {.title = what, .scale = AxisScale::logarithmic, .min = first_sweep * work},
+            .y = {.title = "", .scale = AxisScale::logarithmic, .min = last_error, .max = 2}};
   for (int which = 0; which < run.curves.size(); ++which) {
     const Curve& curve = run.curves[which];
-    render::Series& series = plot.series.emplace_back();
+    Series& series = plot.series.emplace_back();
     series.name = short_name(run, which);
     series.style = style_of(page, which);
     double next = first_sweep;
@@ -50,18 +39,18 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
 
 void draw_sizes(Page& page, const CostRun& run) {
   const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  render::Plot plot{.title = "sweeps until 1 % is left"};
+  Plot plot{.title = "sweeps until 1 % is left"};
   plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 30};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3000};
-  render::Series square{.name = "1.78 n²", .style = page.theme().exact, .markers = false};
-  square.style.marker = render::Marker::none;
+  Series square{.name = "1.78 n²", .style = page.theme().exact, .markers = false};
+  square.style.marker = Marker::none;
   for (const double n : {2.0, 30.0}) {
     square.x.push_back(n);
     square.y.push_back(1.78 * n * n);
   }
-  render::Series si{.name = "SI", .style = style_of(page, si_curve)};
-  render::Series sor{.name = "SOR", .style = style_of(page, sor_curve)};
-  render::TableView table{.header = {"boxes", "SI", "SOR", "ratio"}};
+  Series si{.name = "SI", .style = style_of(page, si_curve)};
+  Series sor{.name = "SOR", .style = style_of(page, sor_curve)};
+  TableView table{.header = {"boxes", "SI", "SOR", "ratio"}};
   for (const SizeCost& size : run.sizes) {
     si.x.push_back(size.boxes);
     si.y.push_back(size.si);
@@ -82,14 +71,14 @@ void draw_sizes(Page& page, const CostRun& run) {
 
 void draw_precision(Page& page, const CostRun& run) {
   const List<Rect> halves = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
-  render::Plot plot{.title = "error of λ, sweep by sweep"};
+  Plot plot{.title = "error of λ, sweep by sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
-  const render::SeriesStyle single{page.theme().exact.color, {2, 5}, render::Marker::diamond};
+  const SeriesStyle single{page.theme().exact.color, {2, 5}, Marker::diamond};
   plot.series = {over_steps("float", single, run.single.error),
                  over_steps("double", page.theme().si, run.pgs.error)};
   draw_plot(page, halves[0], plot);
-  const std::string least = render::significant(run.single.error.back(), 2);
+  const std::string least = significant(run.single.error.back(), 2);
   page.note(
       halves[1], "The last digits",
       fmt::format(
@@ -99,19 +88,19 @@ void draw_precision(Page& page, const CostRun& run) {
           least));
 }
 
-render::Plot update_plot(const Page& page, const CostRun& run) {
-  render::Plot plot{.title = "time of one row update (ns), this machine"};
+Plot update_plot(const Page& page, const CostRun& run) {
+  Plot plot{.title = "time of one row update (ns), this machine"};
   plot.x = {.title = "rows", .scale = AxisScale::logarithmic, .min = 8, .max = 250};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5};
-  const render::Color color = page.theme().pgs.color;
-  const FixedList<std::pair<int, render::SeriesStyle>, 4> chosen = {
+  const Color color = page.theme().pgs.color;
+  const FixedList<std::pair<int, SeriesStyle>, 4> chosen = {
       {{si_time, page.theme().si},
-       {sparse_time, {color, {2, 5}, render::Marker::diamond}},
+       {sparse_time, {color, {2, 5}, Marker::diamond}},
        {dense_time, page.theme().pgs},
-       {naive_time, {color, {10, 5, 2, 5}, render::Marker::triangle}}}};
+       {naive_time, {color, {10, 5, 2, 5}, Marker::triangle}}}};
   for (const auto& one : chosen) {
     const SolverTime& time = run.times[one.first];
-    render::Series series{.name = time.name, .style = one.second};
+    Series series{.name = time.name, .style = one.second};
     for (int k = 0; k < timed_rows.size(); ++k) {
       series.x.push_back(timed_rows[k]);
       series.y.push_back(time.nanoseconds[k]);
@@ -121,12 +110,12 @@ render::Plot update_plot(const Page& page, const CostRun& run) {
   return plot;
 }
 
-render::TableView update_table(const CostRun& run) {
-  render::TableView table{.header = {"ns", "10 rows", "50", "200"}};
+TableView update_table(const CostRun& run) {
+  TableView table{.header = {"ns", "10 rows", "50", "200"}};
   for (const SolverTime& time : run.times) {
     table.rows.push_back({time.name});
     for (int k = 0; k < timed_rows.size(); ++k) {
-      table.rows.back().push_back(render::significant(time.nanoseconds[k], 2));
+      table.rows.back().push_back(significant(time.nanoseconds[k], 2));
     }
   }
   return table;

@@ -1,13 +1,5 @@
 // What lesson 18 prints, and the claims that it makes.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/page.hpp"
+#include "lesson.hpp"
 
 namespace cairn::cost {
 
@@ -84,7 +76,7 @@ void print_others(Lesson& lesson, const CostRun& run) {
   for (const SolverTime& time : run.times) {
     line = fmt::format("   {:<42}", time.name);
     for (const double nanoseconds : time.nanoseconds)
-      line += fmt::format(" {:>9}", render::significant(nanoseconds, 2));
+      line += fmt::format(" {:>9}", significant(nanoseconds, 2));
     lesson.print(line);
   }
   lesson.print();

@@ -1,12 +1,5 @@
 // What lesson 19 prints, and the claims that it makes.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::edges {
 

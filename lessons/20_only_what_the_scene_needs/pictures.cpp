@@ -1,28 +1,15 @@
 // The scene with its islands, awake or asleep, and below it what each switch pays for this step.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-#include <set>
-
-#include "lessons/kit/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::needs {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
 using Run = std::shared_ptr<const NeedsRun>;
 
 /// The runs that the question compares, and sleep, have colours of their own.
-render::Color color_of(const Page& page, int run) {
-  const render::Theme& theme = page.theme();
+Color color_of(const Page& page, int run) {
+  const Theme& theme = page.theme();
   if (run == early) return theme.box2d.color;
   if (run == by_islands) return theme.si.color;
   return run == sleeping ? theme.pgs.color : theme.body;
@@ -32,8 +19,8 @@ render::Color color_of(const Page& page, int run) {
 void draw_amounts(Page& page, const Rect& rect, std::string_view title, const NeedsRun& all,
                   const List<double>& amounts, const std::string& unit) {
   const Rect inside = page.panel(rect, title);
-  const render::TextStyle name = page.label();
-  render::TextStyle value = page.label();
+  const TextStyle name = page.label();
+  TextStyle value = page.label();
   value.bold = true;
   double names = 0;
   for (const BillRun& run : all.runs)
@@ -72,11 +59,10 @@ void draw_shares(Page& page, const Rect& rect, const NeedsRun& all) {
 
 /// A line that is level in each step.
 void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
-  render::Plot plot{.title = "row updates, step by step"};
+  Plot plot{.title = "row updates, step by step"};
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
   for (const int i : {early, by_islands, sleeping}) {
-    render::Series series{
-        .name = all.runs[i].switches.name, .style = {.color = color_of(page, i)}, .markers = false};
+    Series series{.name = all.runs[i].switches.name, .style = {.color = color_of(page, i)}, .markers = false};
     for (int k = 0; k < all.settings.steps; ++k) {
       const auto updates = static_cast<double>(all.runs[i].steps[k].updates);
       series.x.insert(series.x.end(), {static_cast<double>(k), k + 1.0});
@@ -117,7 +103,7 @@ Shot step_shot(const Run& all, int step, bool key) {
 std::string millimetres(double metres) { return fixed(1000 * metres, metres < 0.1 ? 1 : 0); }
 
 void draw_table(Page& page, const NeedsRun& all) {
-  render::TableView table;
+  TableView table;
   table.header = {"switch",          "rows",          "fewest", "updates a step", "of all",
                   "off before (mm)", "off after (mm)"};
   for (int i = 0; i < all.runs.size(); ++i) {
