@@ -75,7 +75,7 @@ void run(Lesson& lesson) {
   lesson.data(table_of(flight));
   lesson.fingerprint(flight.cairn.back());
   if (lesson.draws()) lesson.print("Pictures are drawn offscreen by " + Canvas(64, 64).backend() + ".");
-  lesson.film(pictures(flight, convergence));
+  lesson.film(pictures({flight, convergence}));
 }
 
 }  // namespace

@@ -60,17 +60,16 @@ void tell_convergence(Lesson& lesson, const Convergence& convergence);
 void check_claims(Lesson& lesson, const Flight& flight, const Convergence& convergence);
 CsvTable table_of(const Flight& flight);
 
-/// All frames, from the question to the answer.
-List<Shot> pictures(const Flight& flight, const Convergence& convergence);
-
-// The flight so far, where its three methods are, and how far they miss.
-
 /// What all frames share.
 struct Story {
   Flight flight = {};
   Convergence convergence = {};
-  double fastest = 0;  // [m/s] of the whole flight: one scale for all arrows
 };
+
+/// All frames, from the question to the answer.
+List<Shot> pictures(const Story& story);
+
+// The flight so far, where its three methods are, and how far they miss.
 
 struct SceneLook {
   int step = 0;

@@ -5,8 +5,6 @@ namespace cairn::one_body {
 
 namespace {
 
-using SharedStory = std::shared_ptr<const Story>;
-
 double height(const List<Vec2<double>>& path, int step) { return path[step].y(); }
 
 /// One step in numbers: the velocity first, then the position with the new velocity.
@@ -61,14 +59,14 @@ void draw_state(Page& page, const Story& story) {
                            .result = "= 1/6 kg m²"});
 }
 
-Shot step_shot(const SharedStory& story, int step) {
-  const Flight& flight = story->flight;
+Shot step_shot(const Story& story, int step) {
+  const Flight& flight = story.flight;
   const int steps = flight.thrown.steps;
-  const auto draw = [story, step](Page& page) {
+  const auto draw = [&story, step](Page& page) {
     const List<Rect> parts = layout_of(page, 0.62);
-    draw_scene(page, parts[0], *story, {.step = step});
-    draw_errors(page, parts[1], *story, step);
-    page.equation(parts[2], step_equation(*story, step));
+    draw_scene(page, parts[0], story, {.step = step});
+    draw_errors(page, parts[1], story, step);
+    page.equation(parts[2], step_equation(story, step));
   };
   return {.state = fmt::format("step {}/{} · t = {} s", step, steps, fixed(flight.time[step], 2)),
           .alt = fmt::format(
@@ -123,18 +121,18 @@ void draw_convergence(Page& page, const Story& story) {
                  .result = fmt::format("= {} m", significant(thrown.gravity * thrown.dt * time / 2))});
 }
 
-Shot shot_of_answer(const SharedStory& story) {
-  const int last = story->flight.thrown.steps;
+Shot shot_of_answer(const Story& story) {
+  const int last = story.flight.thrown.steps;
   const std::string text = fmt::format(
       "Below, by {} m = g Δt t/2: each step moves with the velocity of its end. Explicit Euler takes that of "
       "its beginning, and ends as far above.",
-      significant(-final_error(story->flight, story->flight.semi_implicit)));
-  const auto scene = [story, last](Page& page, const Rect& rect) {
-    draw_scene(page, rect, *story, {.step = last, .velocity = false});
+      significant(-final_error(story.flight, story.flight.semi_implicit)));
+  const auto scene = [&story, last](Page& page, const Rect& rect) {
+    draw_scene(page, rect, story, {.step = last, .velocity = false});
   };
   return answer_shot(
       card(),
-      {.state = fmt::format("after {} s", significant(story->flight.time.back())),
+      {.state = fmt::format("after {} s", significant(story.flight.time.back())),
        .alt = "The box at the end of its flight below the exact parabola, explicit Euler as far above it. " +
               text,
        .scene = scene},
@@ -143,28 +141,24 @@ Shot shot_of_answer(const SharedStory& story) {
 
 }  // namespace
 
-List<Shot> pictures(const Flight& flight, const Convergence& convergence) {
-  auto made = std::make_shared<Story>(Story{flight, convergence});
-  for (const Snapshot& snapshot : flight.cairn)
-    made->fastest = std::max(made->fastest, snapshot.bodies[{1}].velocity.head<2>().norm());
-  const SharedStory story = made;
+List<Shot> pictures(const Story& story) {
   List<Shot> shots = {question_shot(card(), {.state = "before the throw",
                                              .alt = "A box before its flight, its velocity as an arrow, the "
                                                     "exact parabola ahead of it, and the question",
-                                             .scene = [story](Page& page, const Rect& rect) {
-                                               draw_scene(page, rect, *story, {.asks = true});
+                                             .scene = [&story](Page& page, const Rect& rect) {
+                                               draw_scene(page, rect, story, {.asks = true});
                                              }})};
   shots.push_back({.state = "one body, three numbers",
                    .alt = "The box before the throw; a table of its position and its velocity; and M⁻¹ as a "
                           "diagonal matrix: 1, 1 and 6.",
-                   .draw = [story](Page& page) { draw_state(page, *story); },
+                   .draw = [&story](Page& page) { draw_state(page, story); },
                    .key = true});
-  for (int step = 1; step <= flight.thrown.steps; ++step) shots.push_back(step_shot(story, step));
+  for (int step = 1; step <= story.flight.thrown.steps; ++step) shots.push_back(step_shot(story, step));
   shots.push_back({.state = "half the step, half the error",
                    .alt =
                        "The error at the end of the flight over the time step, on logarithmic axes: measured "
                        "points on a line of slope 1, from the standard step to a sixteenth of it.",
-                   .draw = [story](Page& page) { draw_convergence(page, *story); },
+                   .draw = [&story](Page& page) { draw_convergence(page, story); },
                    .key = true});
   shots.push_back(shot_of_answer(story));
   return shots;

@@ -27,9 +27,12 @@ void measure(Page& page, const Point& from, const Point& to, const std::string& 
 }
 
 void draw_velocity(Page& page, const Camera& camera, const Story& story, const SnapshotBody& box) {
+  double fastest = 0;  // [m/s] of the whole flight: one scale for all arrows
+  for (const Snapshot& snapshot : story.flight.cairn)
+    fastest = std::max(fastest, snapshot.bodies[{1}].velocity.head<2>().norm());
   // The fastest arrow is a little longer than the box is wide.
   const double longest = 1.1 * camera.scale;
-  const ArrowScale scale = {.pixels_per_unit = longest / story.fastest, .longest = longest, .unit = "m/s"};
+  const ArrowScale scale = {.pixels_per_unit = longest / fastest, .longest = longest, .unit = "m/s"};
   const Vec2<double> velocity = box.velocity.head<2>();
   draw_arrow(page, camera, scale,
              {.kind = ArrowKind::velocity, .tail = box.pose.position, .value = velocity});

@@ -93,7 +93,7 @@ void run(Lesson& lesson) {
                 "and two are left, swinging and turning about the anchor.");
   check_derivative(lesson, rod, kinds);
   check_force(lesson, rod);
-  lesson.film(rod_shots(rod, kinds));
+  lesson.film(rod_shots({rod, kinds}));
   lesson.data(quotients_table(rod));
   lesson.fingerprint({rod.error, rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z(), rod.force.z()});
 }

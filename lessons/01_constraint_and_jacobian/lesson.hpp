@@ -88,8 +88,14 @@ void check_derivative(Lesson& lesson, const Rod& rod, const List<KindOfRows>& ki
 void check_force(Lesson& lesson, const Rod& rod);
 CsvTable quotients_table(const Rod& rod);
 
+/// What the frames show.
+struct Story {
+  Rod rod = {};
+  List<KindOfRows> kinds = {};
+};
+
 /// Where, which way, how fast, and how strong.
-List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds);
+List<Shot> rod_shots(const Story& story);
 
 /// What is drawn of the rod besides the box.
 struct RodLook {

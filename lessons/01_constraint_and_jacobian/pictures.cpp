@@ -5,12 +5,6 @@ namespace cairn::one_row {
 
 namespace {
 
-struct Story {
-  Rod rod = {};
-  List<KindOfRows> kinds = {};
-};
-using Shared = std::shared_ptr<const Story>;
-
 const char* const coordinate_names[] = {"x", "y", "θ"};
 
 std::string components(const Vec3<double>& v) {
@@ -190,12 +184,12 @@ void draw_differences(Page& page, const Story& story) {
   page.table(parts[1], "every kind of row in the library", table);
 }
 
-Shot shot(const Shared& story, const std::string& state, const std::string& alt,
+Shot shot(const Story& story, const std::string& state, const std::string& alt,
           const std::function<void(Page&, const Story&)>& draw) {
-  return {.state = state, .alt = alt, .draw = [story, draw](Page& page) { draw(page, *story); }, .key = true};
+  return {.state = state, .alt = alt, .draw = [&story, draw](Page& page) { draw(page, story); }, .key = true};
 }
 
-Shot motion_shot(const Shared& story, const Motion& motion, const std::string& state) {
+Shot motion_shot(const Story& story, const Motion& motion, const std::string& state) {
   return shot(
       story, state,
       fmt::format("The velocities of the box and of its anchor as arrows; j·v = {:.3f} m/s, the slope "
@@ -205,8 +199,8 @@ Shot motion_shot(const Shared& story, const Motion& motion, const std::string& s
 }
 
 /// The reader's velocity, and those of the question.
-List<Shot> motion_shots(const Shared& story) {
-  const Rod& rod = story->rod;
+List<Shot> motion_shots(const Story& story) {
+  const Rod& rod = story.rod;
   const Vec3<double>& own = rod.settings.velocity;
   List<Shot> shots = {motion_shot(story, {.velocity = own, .rate = rod.jacobian.dot(own)}, "j·v: how fast")};
   shots.back().key = false;
@@ -215,21 +209,21 @@ List<Shot> motion_shots(const Shared& story) {
   return shots;
 }
 
-Shot nudge_shot(const Shared& story, int k) {
+Shot nudge_shot(const Story& story, int k) {
   Shot made =
       shot(story, fmt::format("the same by trying: {}", coordinate_names[k]),
            fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for "
                        "1 of it.",
-                       coordinate_names[k], story->rod.quotients[0].slope[k]),
+                       coordinate_names[k], story.rod.quotients[0].slope[k]),
            [k](Page& page, const Story& all) { draw_nudge(page, all.rod, k); });
   made.key = k != 1;
   return made;
 }
 
-QuestionFrame frame_of(const Shared& story, const std::string& state, const std::string& alt, RodLook look) {
-  look.pose = story->rod.pose;
-  return {.state = state, .alt = alt, .scene = [story, look](Page& page, const Rect& rect) {
-            draw_rod(page, rect, story->rod, look);
+QuestionFrame frame_of(const Story& story, const std::string& state, const std::string& alt, RodLook look) {
+  look.pose = story.rod.pose;
+  return {.state = state, .alt = alt, .scene = [&story, look](Page& page, const Rect& rect) {
+            draw_rod(page, rect, story.rod, look);
           }};
 }
 
@@ -242,8 +236,7 @@ std::string answer_text(const List<Motion>& asked) {
 
 }  // namespace
 
-List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
-  const auto story = std::make_shared<const Story>(Story{rod, kinds});
+List<Shot> rod_shots(const Story& story) {
   List<Shot> shots = {question_shot(
       card(),
       frame_of(story, "before we ask",
@@ -259,7 +252,7 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
       shot(story, "j: which way",
            "An arrow along the rod, at right angles to the circle c = 0, and an arc around the box: "
            "j = " +
-               components(rod.jacobian),
+               components(story.rod.jacobian),
            draw_jacobian));
   for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
   for (const Shot& next : motion_shots(story)) shots.push_back(next);
@@ -277,7 +270,7 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
           "The three velocities as the anchor has them: the first and the third along the circle that the "
           "rod allows, the second along the rod.",
           {.close = true, .circles = true, .answered = true}),
-      answer_text(rod.asked)));
+      answer_text(story.rod.asked)));
   return shots;
 }
 

@@ -6,8 +6,6 @@ namespace cairn::one_push {
 
 namespace {
 
-using Shared = std::shared_ptr<const Pushes>;
-
 /// Left the box; returns the two parts on the right.
 List<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegLook& look, double upper) {
   const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
@@ -30,14 +28,14 @@ TableView table_of(const Pushes& all, const List<std::string>& header, int known
 }
 
 /// Question and answer: all three places side by side, at one scale.
-QuestionFrame frame_of(const Shared& all, const std::string& state, const std::string& alt,
+QuestionFrame frame_of(const Pushes& all, const std::string& state, const std::string& alt,
                        const PegLook& look) {
   return {.state = state,
           .alt = alt,
           .scene =
-              [all, look](Page& page, const Rect& rect) {
+              [&all, look](Page& page, const Rect& rect) {
                 const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
-                for (int i = 0; i < panels.size(); ++i) draw_push(page, panels[i], *all, all->at[i], look);
+                for (int i = 0; i < panels.size(); ++i) draw_push(page, panels[i], all, all.at[i], look);
               },
           .place = ScenePlace::above};
 }
@@ -180,15 +178,15 @@ void draw_others(Page& page, const Pushes& all) {
   page.table(parts[1], "what the box meets", table);
 }
 
-Shot shot(const Shared& all, const std::string& state, const std::string& alt,
+Shot shot(const Pushes& all, const std::string& state, const std::string& alt,
           const std::function<void(Page&, const Pushes&)>& draw) {
-  return {.state = state, .alt = alt, .draw = [all, draw](Page& page) { draw(page, *all); }, .key = true};
+  return {.state = state, .alt = alt, .draw = [&all, draw](Page& page) { draw(page, all); }, .key = true};
 }
 
 /// The first and the last place are key frames; what the first push leaves is nothing.
-void append_pushes(const Shared& all, List<Shot>& shots) {
-  for (int i = 0; i < all->at.size(); ++i) {
-    const Push& push = all->at[i];
+void append_pushes(const Pushes& all, List<Shot>& shots) {
+  for (int i = 0; i < all.at.size(); ++i) {
+    const Push& push = all.at[i];
     shots.push_back(
         shot(all, fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
              fmt::format("The peg at x = {:.3g} m pushes the box with {:.3f} N s upwards; equation "
@@ -208,8 +206,7 @@ void append_pushes(const Shared& all, List<Shot>& shots) {
 
 }  // namespace
 
-List<Shot> peg_shots(const Pushes& recorded) {
-  const auto all = std::make_shared<const Pushes>(recorded);
+List<Shot> peg_shots(const Pushes& all) {
   List<Shot> shots = {question_shot(
       card(),
       frame_of(all, "before the push",
@@ -233,8 +230,8 @@ List<Shot> peg_shots(const Pushes& recorded) {
   const std::string answer = fmt::format(
       "Less: {} N s instead of {}. Off-centre the box also turns, so its corner yields more easily: here, "
       "this way, the effective mass is {} kg instead of {} kg.",
-      significant(recorded.at[2].impulse), significant(recorded.at[0].impulse),
-      significant(1 / recorded.at[2].inverse), significant(recorded.settings.mass));
+      significant(all.at[2].impulse), significant(all.at[0].impulse), significant(1 / all.at[2].inverse),
+      significant(all.settings.mass));
   shots.push_back(answer_shot(
       card(),
       frame_of(all, "after the lesson", "The pushes at three places, at one scale, and the answer.",

@@ -90,16 +90,16 @@ void draw_ball_step(Page& page, const DriftRuns& all, int step) {
   page.equation(right[1], equation_of(page, all, step));
 }
 
-Shot ball_shot(const Runs& all, int step, bool key) {
+Shot ball_shot(const DriftRuns& all, int step, bool key) {
   std::string alt = fmt::format("Balls after step {}. Height above the ground and push of the ground:", step);
-  for (const BallRun& run : all->balls) {
+  for (const BallRun& run : all.balls) {
     alt +=
         fmt::format(" {:.3f} m, {:.1f} N with β = {:g};", run.height[step], run.lambda[step] + 0.0, run.beta);
   }
   alt.back() = '.';
   return {.state = fmt::format("ball · step {}", step),
           .alt = alt,
-          .draw = [all, step](Page& page) { draw_ball_step(page, *all, step); },
+          .draw = [&all, step](Page& page) { draw_ball_step(page, all, step); },
           .key = key};
 }
 
@@ -182,8 +182,8 @@ int highest_step(const DriftRuns& all) {
   return static_cast<int>(std::max_element(height.begin(), height.end()) - height.begin());
 }
 
-List<Shot> ball_shots(const Runs& all) {
-  const int last = last_step(*all);
+List<Shot> ball_shots(const DriftRuns& all) {
+  const int last = last_step(all);
   const std::set<int> keys = {1, 2, 5};
   const int stride = std::max(1, last / 80);
   List<Shot> shots;
@@ -194,7 +194,7 @@ List<Shot> ball_shots(const Runs& all) {
   shots.push_back({.state = "how deep is too deep",
                    .alt = "The largest depth that the ground can hold falls like one over β squared; the "
                           "library's own limits lie on the formula.",
-                   .draw = [all](Page& page) { draw_limits(page, *all); },
+                   .draw = [&all](Page& page) { draw_limits(page, all); },
                    .key = true});
   return shots;
 }

@@ -100,12 +100,10 @@ CsvTable balls_table(const DriftRuns& all);
 /// Three pendulums, four weights, four balls, and the depth that a ground can hold.
 List<Shot> drift_shots(const DriftRuns& all);
 
-using Runs = std::shared_ptr<const DriftRuns>;
-
 /// Their parts, one for each scene, in the order of drift_shots().
-List<Shot> swing_shots(const Runs& all);
-List<Shot> hang_shots(const Runs& all);
-List<Shot> ball_shots(const Runs& all);
+List<Shot> swing_shots(const DriftRuns& all);
+List<Shot> hang_shots(const DriftRuns& all);
+List<Shot> ball_shots(const DriftRuns& all);
 
 /// The step in which the ball with beta = 1 is highest.
 int highest_step(const DriftRuns& all);

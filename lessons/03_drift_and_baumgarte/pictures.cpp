@@ -5,10 +5,10 @@ namespace cairn::drift {
 
 namespace {
 
-QuestionFrame frame_of(const Runs& all, const std::string& state, const std::string& alt,
+QuestionFrame frame_of(const DriftRuns& all, const std::string& state, const std::string& alt,
                        const BallLook& look) {
-  return {.state = state, .alt = alt, .scene = [all, look](Page& page, const Rect& rect) {
-            draw_balls(page, rect, *all, look);
+  return {.state = state, .alt = alt, .scene = [&all, look](Page& page, const Rect& rect) {
+            draw_balls(page, rect, all, look);
           }};
 }
 
@@ -33,24 +33,23 @@ SeriesStyle beta_style(const Theme& theme, double beta) {
   return {.color = theme.pgs.color, .dash = {10, 6}};  // the reader's
 }
 
-List<Shot> drift_shots(const DriftRuns& recorded) {
-  const Runs all = std::make_shared<const DriftRuns>(recorded);
+List<Shot> drift_shots(const DriftRuns& all) {
   List<Shot> shots = {question_shot(
       card(),
       frame_of(all, "before the first step",
                fmt::format("Four balls with different β, each {:g} mm inside the ground, and the question "
                            "how high the one with β = 1 comes",
-                           1000 * recorded.settings.depth),
+                           1000 * all.settings.depth),
                {.asks = true}))};
   for (const List<Shot>& part : {swing_shots(all), hang_shots(all), ball_shots(all)})
     shots.insert(shots.end(), part.begin(), part.end());
-  const int highest = highest_step(recorded);
+  const int highest = highest_step(all);
   shots.push_back(answer_shot(
       card(),
       frame_of(all, fmt::format("step {} · answer", highest),
                "The balls when the one with β = 1 is highest, its height measured, and the answer.",
                {.step = highest, .measured = true}),
-      answer_text(recorded)));
+      answer_text(all)));
   return shots;
 }
 

@@ -65,17 +65,16 @@ void draw_swing(Page& page, const DriftRuns& all, int step) {
   draw_swing_errors(page, parts[1], all, step);
 }
 
-Shot swing_shot(const Runs& all, int step) {
-  std::string alt =
-      fmt::format("Pendulums after {:.1f} s, drawn over the true circle: the rod is too long by",
-                  step * all->settings.dt);
-  for (const RodRun& run : all->swings) {
+Shot swing_shot(const DriftRuns& all, int step) {
+  std::string alt = fmt::format(
+      "Pendulums after {:.1f} s, drawn over the true circle: the rod is too long by", step * all.settings.dt);
+  for (const RodRun& run : all.swings) {
     alt += fmt::format(" {:.4f} m with β = {:g};", run.error[step], run.beta);
   }
   alt.back() = '.';
-  return {.state = fmt::format("pendulum · t = {} s", fixed(step * all->settings.dt, 1)),
+  return {.state = fmt::format("pendulum · t = {} s", fixed(step * all.settings.dt, 1)),
           .alt = alt,
-          .draw = [all, step](Page& page) { draw_swing(page, *all, step); }};
+          .draw = [&all, step](Page& page) { draw_swing(page, all, step); }};
 }
 
 /// All weights in one scene, side by side, each on its own rod.
@@ -134,28 +133,28 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
                            .result = fmt::format("= {} mm", fixed(1000 * run.error[step], 2))});
 }
 
-Shot hang_shot(const Runs& all, int step) {
+Shot hang_shot(const DriftRuns& all, int step) {
   std::string alt = fmt::format("Hanging weights after step {}, off by", step);
-  for (const RodRun& run : all->hangs) {
+  for (const RodRun& run : all.hangs) {
     alt += fmt::format(" {:.1f} mm with β = {:g};", 1000 * run.error[step], run.beta);
   }
   alt.back() = '.';
   return {.state = fmt::format("weight · step {} of {}", step, hang_steps),
           .alt = alt,
-          .draw = [all, step](Page& page) { draw_hang(page, *all, step); }};
+          .draw = [&all, step](Page& page) { draw_hang(page, all, step); }};
 }
 
 }  // namespace
 
-List<Shot> swing_shots(const Runs& all) {
-  const int last = all->swings[0].steps.size() - 1;
+List<Shot> swing_shots(const DriftRuns& all) {
+  const int last = all.swings[0].steps.size() - 1;
   List<Shot> shots;
   for (int frame = 1; frame <= 50; ++frame) shots.push_back(swing_shot(all, frame * last / 50));
   shots.back().key = true;
   return shots;
 }
 
-List<Shot> hang_shots(const Runs& all) {
+List<Shot> hang_shots(const DriftRuns& all) {
   List<Shot> shots;
   for (int step = 1; step <= hang_steps; ++step) shots.push_back(hang_shot(all, step));
   shots.back().key = true;

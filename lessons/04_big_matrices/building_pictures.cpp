@@ -141,30 +141,30 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
                            .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
 }
 
-Shot entry_shot(const Run& run, int i, int j) {
+Shot entry_shot(const StackRun& run, int i, int j) {
   return {.state = fmt::format("A · row {}, column {}", i + 1, j + 1),
           .alt = fmt::format(
               "Two rows of J, the boxes that they have, and A as far as it is known: entry {}, {} is "
               "{:.4g} per kg.",
-              i + 1, j + 1, run->system.A(i, j)),
-          .draw = [run, i, j](Page& page) { draw_entry(page, *run, i, j); },
+              i + 1, j + 1, run.system.A(i, j)),
+          .draw = [&run, i, j](Page& page) { draw_entry(page, run, i, j); },
           .key = i == 0 && (j == 1 || j == 2)};
 }
 
 }  // namespace
 
-List<Shot> building_shots(const Run& run) {
-  const int n = run->boxes();
+List<Shot> building_shots(const StackRun& run) {
+  const int n = run.boxes();
   List<Shot> shots;
   shots.push_back({.state = "v and M⁻¹",
                    .alt = "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
-                   .draw = [run](Page& page) { draw_masses(page, *run); },
+                   .draw = [&run](Page& page) { draw_masses(page, run); },
                    .key = true});
   for (int row = 0; row < n; ++row) {
     shots.push_back({.state = fmt::format("J · row {} of {}", row + 1, n),
                      .alt = fmt::format("Row {} of J; its boxes part at {:.3f} m/s.", row + 1,
-                                        run->row_velocity(row) + 0.0),
-                     .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+                                        run.row_velocity(row) + 0.0),
+                     .draw = [&run, row](Page& page) { draw_row(page, run, row); },
                      .key = row == 1});
   }
   for (int i = 0; i < n; ++i) {
@@ -173,8 +173,8 @@ List<Shot> building_shots(const Run& run) {
   for (int row = 0; row < n; ++row) {
     shots.push_back({.state = fmt::format("b · row {} of {}", row + 1, n),
                      .alt = fmt::format("A and b as far as it is known: b of row {} is {:.4g} m/s².", row + 1,
-                                        run->system.b(row) + 0.0),
-                     .draw = [run, row](Page& page) { draw_right_side(page, *run, row); },
+                                        run.system.b(row) + 0.0),
+                     .draw = [&run, row](Page& page) { draw_right_side(page, run, row); },
                      .key = row == 0});
   }
   return shots;

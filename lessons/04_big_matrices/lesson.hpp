@@ -96,11 +96,9 @@ double cleaned(double value);
 /// The matrices entry by entry, the elimination, and what comes of lambda.
 List<Shot> stack_shots(const StackRun& run);
 
-using Run = std::shared_ptr<const StackRun>;
-
 /// Their parts: how A and b are built, and how they are solved.
-List<Shot> building_shots(const Run& run);
-List<Shot> solving_shots(const Run& run);
+List<Shot> building_shots(const StackRun& run);
+List<Shot> solving_shots(const StackRun& run);
 
 /// What of the stack is shown beside the matrices.
 struct StackView {

@@ -173,15 +173,14 @@ std::string in_brackets(const std::string& number) {
   return number.starts_with("−") ? "(" + number + ")" : number;
 }
 
-List<Shot> stack_shots(const StackRun& recorded) {
-  const Run run = std::make_shared<const StackRun>(recorded);
+List<Shot> stack_shots(const StackRun& run) {
   List<Shot> shots = {question_shot(
       card(),
       {.state = "before the first row",
        .alt = "Three stacked boxes that fall at the same speed, equation 15, and the question for the "
               "numbers of b",
-       .scene = [run](Page& page, const Rect& rect) {
-         draw_stack(page, rect, *run, {.asks = true, .velocity = run->system.velocity});
+       .scene = [&run](Page& page, const Rect& rect) {
+         draw_stack(page, rect, run, {.asks = true, .velocity = run.system.velocity});
        }})};
   for (const List<Shot>& part : {building_shots(run), solving_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
@@ -189,8 +188,8 @@ List<Shot> stack_shots(const StackRun& recorded) {
       card(),
       {.state = "answer",
        .alt = "The stack held by its contacts; below it the inverse of A times b is λ; and the answer.",
-       .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
-      answer_text(recorded)));
+       .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
+      answer_text(run)));
   return shots;
 }
 

@@ -134,41 +134,41 @@ void draw_growth(Page& page, const StackRun& run) {
             question_growth);
 }
 
-Shot back_shot(const Run& run, int row) {
+Shot back_shot(const StackRun& run, int row) {
   return {
       .state = fmt::format("λ of row {}", row + 1),
       .alt = fmt::format("After elimination row {} gives {:.4g} N; pushes that are known stand beside the "
                          "stack.",
-                         row + 1, run->lambda(row)),
-      .draw = [run, row](Page& page) { draw_back(page, *run, row); },
+                         row + 1, run.lambda(row)),
+      .draw = [&run, row](Page& page) { draw_back(page, run, row); },
       .key = row == 0};
 }
 
 }  // namespace
 
-List<Shot> solving_shots(const Run& run) {
-  const int n = run->boxes();
+List<Shot> solving_shots(const StackRun& run) {
+  const int n = run.boxes();
   List<Shot> shots;
   for (int row = 1; row < n; ++row) {
     shots.push_back(
         {.state = fmt::format("elimination · row {}", row + 1),
          .alt = fmt::format("A and b once λ of row {} has been eliminated from row {}.", row, row + 1),
-         .draw = [run, row](Page& page) { draw_elimination(page, *run, row); },
+         .draw = [&run, row](Page& page) { draw_elimination(page, run, row); },
          .key = row + 1 == n});
   }
   for (int row = n - 1; row >= 0; --row) shots.push_back(back_shot(run, row));
   shots.push_back({.state = "v₂ = v₁ + M⁻¹ Jᵀ λ Δt",
                    .alt = "Velocities before and after, and the two pushes upon each box.",
-                   .draw = [run](Page& page) { draw_velocities(page, *run); },
+                   .draw = [&run](Page& page) { draw_velocities(page, run); },
                    .key = true});
   shots.push_back({.state = "gravity after b",
                    .alt = "The same stack with gravity added after b was formed: no contact holds it.",
-                   .draw = [run](Page& page) { draw_without_gravity(page, *run); },
+                   .draw = [&run](Page& page) { draw_without_gravity(page, run); },
                    .key = true});
   shots.push_back({.state = "3 to 300 boxes",
                    .alt = "Numbers in J and A, and multiplications of an elimination, against the number of "
                           "boxes.",
-                   .draw = [run](Page& page) { draw_growth(page, *run); },
+                   .draw = [&run](Page& page) { draw_growth(page, run); },
                    .key = true});
   return shots;
 }

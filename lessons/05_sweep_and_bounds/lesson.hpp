@@ -103,13 +103,11 @@ CsvTable updates_table(const SweepRun& run);
 /// The stack row by row, the rod in the plane of its two lambda, and the intervals.
 List<Shot> sweep_shots(const SweepRun& run);
 
-using Run = std::shared_ptr<const SweepRun>;
-
 /// The rod between the question and the answer.
-List<Shot> rod_shots(const Run& run);
+List<Shot> rod_shots(const SweepRun& run);
 /// The rod on its supports with the question, and with the answer.
-Shot question_shot(const Run& run);
-Shot answer_shot(const Run& run);
+Shot question_shot(const SweepRun& run);
+Shot answer_shot(const SweepRun& run);
 
 /// A and b as one matrix, with the row that is being visited framed; -1: none.
 void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active);

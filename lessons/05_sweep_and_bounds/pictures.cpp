@@ -153,28 +153,28 @@ void draw_intervals(Page& page) {
   }
 }
 
-Shot update_shot(const Run& run, int k) {
-  const RowUpdate<double>& update = run->stack.up.updates[k];
+Shot update_shot(const SweepRun& run, int k) {
+  const RowUpdate<double>& update = run.stack.up.updates[k];
   const int row = update.row;
-  const int n = run->settings.boxes;
-  const bool last = k + 1 == run->stack.up.updates.size();
-  return {.state = fmt::format("A · sweep {}/{} · row {} of {}", update.sweep, run->settings.sweeps,
+  const int n = run.settings.boxes;
+  const bool last = k + 1 == run.stack.up.updates.size();
+  return {.state = fmt::format("A · sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps,
                                update.row + 1, n),
           .alt = fmt::format("Stack, A and b, bars of λ: sweep {}, row {} puts its λ to {:.4f} N; exact is "
                              "{:g} N.",
-                             update.sweep, row + 1, run->stack.up.after[k][row], run->stack.exact[row]),
-          .draw = [run, k](Page& page) { draw_update(page, *run, k); },
+                             update.sweep, row + 1, run.stack.up.after[k][row], run.stack.exact[row]),
+          .draw = [&run, k](Page& page) { draw_update(page, run, k); },
           .key = k == 1 || k == n || last};
 }
 
-List<Shot> stack_shots(const Run& run) {
+List<Shot> stack_shots(const SweepRun& run) {
   List<Shot> shots;
-  for (int k = 0; k < run->stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
+  for (int k = 0; k < run.stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
   shots.push_back(
-      {.state = fmt::format("A · {} sweeps", run->settings.sweeps),
+      {.state = fmt::format("A · {} sweeps", run.settings.sweeps),
        .alt = "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
               "lines of the same slope.",
-       .draw = [run](Page& page) { draw_errors(page, *run); },
+       .draw = [&run](Page& page) { draw_errors(page, run); },
        .key = true});
   return shots;
 }
@@ -236,8 +236,7 @@ Equation equation_28(const Page& page, const SystemMatrices<double>& system, con
           .color = cut ? page.theme().secondary_text : page.theme().normal};
 }
 
-List<Shot> sweep_shots(const SweepRun& recorded) {
-  const Run run = std::make_shared<const SweepRun>(recorded);
+List<Shot> sweep_shots(const SweepRun& run) {
   List<Shot> shots = {question_shot(run)};
   for (const List<Shot>& part : {stack_shots(run), rod_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());

@@ -201,23 +201,23 @@ std::string answer_text(const RodRun& rod) {
       brief(rod.formula[1], 2), brief(rod.statics[1], 2));
 }
 
-Shot rod_update_shot(const Run& run, int k, int first_cut) {
-  const Swept& swept = run->rod.bounded;
+Shot rod_update_shot(const SweepRun& run, int k, int first_cut) {
+  const Swept& swept = run.rod.bounded;
   const RowUpdate<double>& update = swept.updates[k];
-  return {.state = fmt::format("B · sweep {}/{} · row {} of 2", update.sweep, run->settings.sweeps,
-                               update.row + 1),
+  return {.state =
+              fmt::format("B · sweep {}/{} · row {} of 2", update.sweep, run.settings.sweeps, update.row + 1),
           .alt = fmt::format("Sweep {}, row {} of the rod: λ is ({:.4g}, {:.4g}) N{}; one more step of the "
                              "zig-zag in the plane.",
                              update.sweep, update.row + 1, swept.after[k][0], swept.after[k][1],
                              is_cut(update) ? ", the row having been clamped" : ""),
-          .draw = [run, k](Page& page) { draw_rod_update(page, *run, k); },
+          .draw = [&run, k](Page& page) { draw_rod_update(page, run, k); },
           .key = k == 1 || k == first_cut || k == first_cut + 1};
 }
 
 }  // namespace
 
-List<Shot> rod_shots(const Run& run) {
-  const Swept& swept = run->rod.bounded;
+List<Shot> rod_shots(const SweepRun& run) {
+  const Swept& swept = run.rod.bounded;
   int first_cut = 4;  // of a rod that does not tip: any two frames
   for (int k = swept.updates.size() - 1; k >= 0; --k) {
     if (is_cut(swept.updates[k])) first_cut = k;
@@ -227,12 +227,12 @@ List<Shot> rod_shots(const Run& run) {
                    .alt =
                        "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
                        "the hatched part of the plane where λ is negative.",
-                   .draw = [run](Page& page) { draw_unbounded(page, *run); },
+                   .draw = [&run](Page& page) { draw_unbounded(page, run); },
                    .key = true});
   for (int k = 0; k < swept.updates.size(); ++k) shots.push_back(rod_update_shot(run, k, first_cut));
   shots.push_back({.state = "B · solved",
                    .alt = "λ and w of both supports: one is zero where the other is not.",
-                   .draw = [run](Page& page) { draw_complement(page, *run); },
+                   .draw = [&run](Page& page) { draw_complement(page, run); },
                    .key = true});
   return shots;
 }
@@ -249,30 +249,30 @@ LessonInfo card_for(const SweepRun& run) {
   return info;
 }
 
-Shot question_shot(const Run& run) {
-  return cairn::question_shot(card_for(*run),
+Shot question_shot(const SweepRun& run) {
+  return cairn::question_shot(card_for(run),
                               {.state = "before the first sweep",
                                .alt = "A rod on two supports, both left of its middle, the forces that "
                                       "hold it, one of them a pull, and the question.",
-                               .scene = [run](Page& page, const Rect& rect) {
-                                 draw_rod(page, rect, *run, {.lambda = run->rod.statics, .asks = true});
+                               .scene = [&run](Page& page, const Rect& rect) {
+                                 draw_rod(page, rect, run, {.lambda = run.rod.statics, .asks = true});
                                }});
 }
 
-Shot answer_shot(const Run& run) {
-  const bool tips = run->rod.tips();
-  const auto scene = [run, tips](Page& page, const Rect& rect) {
-    RodScene shown{.lambda = run->rod.formula};
-    if (tips) shown.instead_of = run->rod.statics[1], shown.motion = run->rod.motion;
-    draw_rod(page, rect, *run, shown);
+Shot answer_shot(const SweepRun& run) {
+  const bool tips = run.rod.tips();
+  const auto scene = [&run, tips](Page& page, const Rect& rect) {
+    RodScene shown{.lambda = run.rod.formula};
+    if (tips) shown.instead_of = run.rod.statics[1], shown.motion = run.rod.motion;
+    draw_rod(page, rect, run, shown);
   };
   return cairn::answer_shot(
-      card_for(*run),
+      card_for(run),
       {.state = "answer",
        .alt = "The rod with the push of the right support alone, half as long as the arrow of A λ = b "
               "behind it; the rod tips; and the answer.",
        .scene = scene},
-      answer_text(run->rod));
+      answer_text(run.rod));
 }
 
 }  // namespace cairn::sweeps

@@ -5,8 +5,6 @@ namespace cairn::stack {
 
 namespace {
 
-using Run = std::shared_ptr<const StackRun>;
-
 /// What one frame shows: lambda [N] of each interface, velocities, and the update that led here, if any.
 struct Moment {
   List<double> lambda = {};
@@ -159,42 +157,39 @@ void draw_heavy(Page& page, const Rect& rect, const StackRun& run, int sweep) {
                      sweep == 0 ? "after one sweep: ?" : "still " + fall + " m/s", style);
 }
 
-Shot update_shot(const Run& run, int index) {
-  const RowUpdate<double>& update = run->updates[index].update;
-  const int row = run->interface_of_row[update.row] + 1;
-  const double dt = run->settings.dt;
-  return {.state = fmt::format("sweep {}/{} · row {} of {}", update.sweep, run->settings.sweeps, row,
-                               run->settings.boxes),
+Shot update_shot(const StackRun& run, int index) {
+  const RowUpdate<double>& update = run.updates[index].update;
+  const int row = run.interface_of_row[update.row] + 1;
+  const double dt = run.settings.dt;
+  return {.state = fmt::format("sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps, row,
+                               run.settings.boxes),
           .alt = fmt::format(
               "Sweep {}, row {}: the boxes part at {:.4f} m/s, so the contact gives {:.4f} N more, "
               "{:.4f} N in total; exact is {:g} N.",
               update.sweep, row, update.row_velocity, update.corrective / dt, update.impulse_after / dt,
-              run->exact[row - 1]),
-          .draw = [run, index](Page& page) { draw_update(page, *run, index); },
+              run.exact[row - 1]),
+          .draw = [&run, index](Page& page) { draw_update(page, run, index); },
           .key = index < 6};
 }
 
 }  // namespace
 
-List<Shot> stack_shots(const StackRun& recorded, const StackRun& question) {
-  const Run run = std::make_shared<const StackRun>(recorded);
-  const Run heavy = std::make_shared<const StackRun>(question);
-  const auto scene_after = [heavy](int sweep) {
-    return [heavy, sweep](Page& page, const Rect& rect) { draw_heavy(page, rect, *heavy, sweep); };
+List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
+  const auto scene_after = [&heavy](int sweep) {
+    return [&heavy, sweep](Page& page, const Rect& rect) { draw_heavy(page, rect, heavy, sweep); };
   };
   List<Shot> shots = {question_shot(
       card(),
       {.state = "before the first sweep",
-       .alt =
-           "Three stacked boxes, the uppermost a heavy one, all falling at the same speed, and the question.",
+       .alt = "Three stacked boxes, the uppermost a heavy one, all falling at the same speed, and the question.",
        .scene = scene_after(0)})};
-  for (int i = 0; i < run->updates.size(); ++i) shots.push_back(update_shot(run, i));
-  shots.push_back({.state = fmt::format("all {} sweeps", run->settings.sweeps),
+  for (int i = 0; i < run.updates.size(); ++i) shots.push_back(update_shot(run, i));
+  shots.push_back({.state = fmt::format("all {} sweeps", run.settings.sweeps),
                    .alt = "λ of the contacts over the sweeps, rising to the exact values; and the velocities "
                           "of the boxes, going to zero.",
-                   .draw = [run](Page& page) { draw_course(page, *run); },
+                   .draw = [&run](Page& page) { draw_course(page, run); },
                    .key = true});
-  const List<double> after = velocities_after(*heavy, 1);
+  const List<double> after = velocities_after(heavy, 1);
   const std::string fall = significant(-after.back());
   shots.push_back(answer_shot(
       card(),
@@ -204,8 +199,8 @@ List<Shot> stack_shots(const StackRun& recorded, const StackRun& question) {
       fmt::format(
           "{} m/s. Row 3 finds box 2 falling at {} m/s, under a box falling at {} m/s. Its push changes the "
           "light box {:g} times as much as the heavy one.",
-          fall, significant(-heavy->updates[1].velocity[{2}].y()),
-          significant(-velocities_after(*heavy, 0).back()), heavy->settings.top)));
+          fall, significant(-heavy.updates[1].velocity[{2}].y()),
+          significant(-velocities_after(heavy, 0).back()), heavy.settings.top)));
   return shots;
 }
 

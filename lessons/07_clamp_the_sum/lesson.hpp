@@ -119,12 +119,10 @@ CsvTable table_of(const FeetRun& run);
 /// Visit by visit with both clamps side by side, what becomes of the box, and why.
 List<Shot> feet_shots(const FeetRun& run);
 
-using Run = std::shared_ptr<const FeetRun>;
-
 /// Their part that comes after the visits of scene A.
-List<Shot> motion_shots(const Run& run);
-Shot spread_shot(const Run& run);
-Shot side_shot(const Run& run);
+List<Shot> motion_shots(const FeetRun& run);
+Shot spread_shot(const FeetRun& run);
+Shot side_shot(const FeetRun& run);
 
 /// What a box shows: sums and what was given last, and how fast its feet move.
 struct BoxView {

@@ -130,40 +130,40 @@ void draw_side(Page& page, const FeetRun& run) {
             "is cut off at the end, foot 1 still pushes: the box is thrown up.");
 }
 
-Shot motion_shot(const Run& run, int step) {
+Shot motion_shot(const FeetRun& run, int step) {
   return {.state = fmt::format("t = {} s · outlines every {} s", fixed(step * time_step, 2),
                                fixed(outline_steps * time_step, 2)),
           .alt = fmt::format(
               "{:.2f} s after the landing: with each push clamped the middle of the box is {:.1f} mm "
               "{} and it has turned by {:.0f} degrees, with the sum clamped it has risen by {:.1f} mm.",
-              step * time_step, std::abs(height_at(run->hop, step)),
-              height_at(run->hop, step) < 0 ? "lower" : "higher",
-              std::abs(run->hop[step].bodies[{1}].pose.angle) * 180 / pi, height_at(run->still, step)),
-          .draw = [run, step](Page& page) { draw_step(page, *run, step); },
+              step * time_step, std::abs(height_at(run.hop, step)),
+              height_at(run.hop, step) < 0 ? "lower" : "higher",
+              std::abs(run.hop[step].bodies[{1}].pose.angle) * 180 / pi, height_at(run.still, step)),
+          .draw = [&run, step](Page& page) { draw_step(page, run, step); },
           .key = step == 8 || step == motion_steps};
 }
 
 }  // namespace
 
-List<Shot> motion_shots(const Run& run) {
+List<Shot> motion_shots(const FeetRun& run) {
   List<Shot> shots;
-  for (int step = 1; step < run->hop.size(); ++step) shots.push_back(motion_shot(run, step));
+  for (int step = 1; step < run.hop.size(); ++step) shots.push_back(motion_shot(run, step));
   return shots;
 }
 
-Shot spread_shot(const Run& run) {
+Shot spread_shot(const FeetRun& run) {
   return {.state = "feet at any distance",
           .alt =
               "How fast the box and its left foot rise after a landing with each push clamped, against the "
               "distance of the feet: nothing from 0.408 m on.",
-          .draw = [run](Page& page) { draw_spread(page, *run); },
+          .draw = [&run](Page& page) { draw_spread(page, run); },
           .key = true};
 }
 
-Shot side_shot(const Run& run) {
+Shot side_shot(const FeetRun& run) {
   return {.state = "B · both feet at one side",
           .alt = "A box with both feet right of its middle, twice: clamped once at the end it is thrown up.",
-          .draw = [run](Page& page) { draw_side(page, *run); },
+          .draw = [&run](Page& page) { draw_side(page, run); },
           .key = true};
 }
 

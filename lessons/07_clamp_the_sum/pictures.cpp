@@ -110,30 +110,30 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
   }
 }
 
-QuestionFrame question_frame(const Run& run) {
+QuestionFrame question_frame(const FeetRun& run) {
   return {.state = "after one sweep",
           .alt =
               "A box on two feet after one sweep, with the impulses of its feet and how fast they move, and "
               "the question.",
-          .scene = [run](Page& page, const Rect& rect) {
-            BoxView view = view_after(run->middle, run->settings.speed, run->middle.by(Clamped::sum), 1);
+          .scene = [&run](Page& page, const Rect& rect) {
+            BoxView view = view_after(run.middle, run.settings.speed, run.middle.by(Clamped::sum), 1);
             view.asks = true;
-            draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run->middle, largest_of(*run),
+            draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run.middle, largest_of(run),
                      view);
           }};
 }
 
-QuestionFrame answer_frame(const Run& run) {
+QuestionFrame answer_frame(const FeetRun& run) {
   return {.state = "sweep 2 · foot 1",
           .alt =
               "The second visit of the left foot: with each push clamped nothing is taken back, with the "
               "sum clamped a part of the first push; and the answer.",
-          .scene = [run](Page& page, const Rect& rect) {
+          .scene = [&run](Page& page, const Rect& rect) {
             const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
             int at = 0;
             for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
-              draw_box(page, clamp_panel(page, parts[at++], clamped), run->middle, largest_of(*run),
-                       view_after(run->middle, run->settings.speed, run->middle.by(clamped), 2));
+              draw_box(page, clamp_panel(page, parts[at++], clamped), run.middle, largest_of(run),
+                       view_after(run.middle, run.settings.speed, run.middle.by(clamped), 2));
             }
           }};
 }
@@ -146,20 +146,20 @@ std::string answer_text(const FeetRun& run) {
          " N s of its first push, which was too large. A push may be negative; the sum may not.";
 }
 
-Shot visit_shot(const Run& run, int k) {
-  const Visit& naive = run->middle.by(Clamped::increment).visits[k];
-  const Visit& sum = run->middle.by(Clamped::sum).visits[k];
-  return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run->settings.sweeps, sum.foot + 1),
+Shot visit_shot(const FeetRun& run, int k) {
+  const Visit& naive = run.middle.by(Clamped::increment).visits[k];
+  const Visit& sum = run.middle.by(Clamped::sum).visits[k];
+  return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run.settings.sweeps, sum.foot + 1),
           .alt = fmt::format("Sweep {}, foot {}: with each push clamped it gives {:.2f} N s, with the sum "
                              "clamped {:.2f} N s; boxes, sums and both formulas side by side.",
                              sum.sweep, sum.foot + 1, naive.given(), sum.given()),
-          .draw = [run, k](Page& page) { draw_visit(page, *run, k); },
-          .key = k < 4 || k + 1 == run->middle.by(Clamped::sum).visits.size()};
+          .draw = [&run, k](Page& page) { draw_visit(page, run, k); },
+          .key = k < 4 || k + 1 == run.middle.by(Clamped::sum).visits.size()};
 }
 
-List<Shot> visit_shots(const Run& run) {
+List<Shot> visit_shots(const FeetRun& run) {
   List<Shot> shots;
-  for (int k = 0; k < run->middle.by(Clamped::sum).visits.size(); ++k) shots.push_back(visit_shot(run, k));
+  for (int k = 0; k < run.middle.by(Clamped::sum).visits.size(); ++k) shots.push_back(visit_shot(run, k));
   return shots;
 }
 
@@ -221,14 +221,13 @@ LessonInfo card_for(const FeetRun& run) {
   return info;
 }
 
-List<Shot> feet_shots(const FeetRun& recorded) {
-  const Run run = std::make_shared<const FeetRun>(recorded);
-  List<Shot> shots = {question_shot(card_for(*run), question_frame(run))};
+List<Shot> feet_shots(const FeetRun& run) {
+  List<Shot> shots = {question_shot(card_for(run), question_frame(run))};
   for (const List<Shot>& part : {visit_shots(run), motion_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(spread_shot(run));
   shots.push_back(side_shot(run));
-  shots.push_back(answer_shot(card_for(*run), answer_frame(run), answer_text(recorded)));
+  shots.push_back(answer_shot(card_for(run), answer_frame(run), answer_text(run)));
   return shots;
 }
 

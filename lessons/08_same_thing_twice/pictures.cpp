@@ -5,8 +5,6 @@ namespace cairn::twice {
 
 namespace {
 
-using Run = std::shared_ptr<const TwiceRun>;
-
 Moment after_row(const TwiceRun& run, int row) {
   Moment moment{.pgs = run.pgs[0], .si = run.si[0], .active = row, .unclamped = run.si[0]};
   for (int i = 0; i <= row; ++i) {
@@ -103,24 +101,24 @@ void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
   draw_plot(page, rect, plot);
 }
 
-Shot row_shot(const Run& run, int row) {
-  const RowStep& step = run->steps[row];
+Shot row_shot(const TwiceRun& run, int row) {
+  const RowStep& step = run.steps[row];
   const std::set<int> keys = {0, 1, 15, 19};  // the last but one is clamped, for most seeds
-  return {.state = fmt::format("sweep 1 · row {} of {}", row + 1, run->problem.row_count()),
+  return {.state = fmt::format("sweep 1 · row {} of {}", row + 1, run.problem.row_count()),
           .alt = fmt::format(
               "Row {} of the first sweep: SI arrives at {:.12g} N by (27), PGS at {:.12g} N by (28).",
               row + 1, step.by_27, step.by_28),
-          .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+          .draw = [&run, row](Page& page) { draw_row(page, run, row); },
           .key = keys.contains(row)};
 }
 
-Shot sweep_shot(const Run& run, int sweep) {
-  const double difference = run->precisions[1].difference[sweep];
-  return {.state = fmt::format("after sweep {} of {}", sweep, run->settings.sweeps),
+Shot sweep_shot(const TwiceRun& run, int sweep) {
+  const double difference = run.precisions[1].difference[sweep];
+  return {.state = fmt::format("after sweep {} of {}", sweep, run.settings.sweeps),
           .alt = fmt::format("After sweep {} the impulses of PGS and SI differ by {:.1e} N at most.", sweep,
                              difference),
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
-          .key = sweep == 10 || sweep == run->settings.sweeps};
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
+          .key = sweep == 10 || sweep == run.settings.sweeps};
 }
 
 /// Where the digits part in two precisions, and how the difference goes on.
@@ -137,23 +135,22 @@ void draw_answer(Page& page, const Rect& rect, const TwiceRun& run) {
 
 }  // namespace
 
-List<Shot> twice_shots(const TwiceRun& recorded) {
-  const Run run = std::make_shared<const TwiceRun>(recorded);
-  const int last = run->settings.sweeps;
+List<Shot> twice_shots(const TwiceRun& run) {
+  const int last = run.settings.sweeps;
   List<Shot> shots = {question_shot(
       card(), {.state = "before the first sweep",
                .alt = "What PGS and what SI look at in one update, one impulse of both with unknown digits, "
                       "and the question.",
-               .scene = [run](Page& page, const Rect& rect) { draw_question(page, rect, *run); }})};
-  for (int row = 0; row < run->problem.row_count(); ++row) shots.push_back(row_shot(run, row));
+               .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }})};
+  for (int row = 0; row < run.problem.row_count(); ++row) shots.push_back(row_shot(run, row));
   for (int sweep = 2; sweep <= last; ++sweep) shots.push_back(sweep_shot(run, sweep));
-  const PrecisionRun& in_float = run->precisions[0];
+  const PrecisionRun& in_float = run.precisions[0];
   shots.push_back(answer_shot(
       card(),
       {.state = fmt::format("after sweep {0} of {0}", last),
        .alt = "The digits in which both solvers agree, in float and in double, their differences against "
               "sweeps in three precisions, and the answer.",
-       .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
+       .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
       fmt::format(
           "About {}: they differ by {} of the largest λ. They are one algorithm, and rounding costs a "
           "little more than one digit, in each precision.",

@@ -142,13 +142,11 @@ void tell_order(Lesson& lesson, const WarmStart& all);
 void check_claims(Lesson& lesson, const WarmStart& all);
 CsvTable table_of(const WarmStart& all);
 
-using All = std::shared_ptr<const WarmStart>;
-
 /// Three towers side by side, what the error does, and rows in another order.
 List<Shot> start_shots(const WarmStart& all);
 
 /// Their last part: charts of the error, and what becomes of impulses in the wrong place.
-List<Shot> order_shots(const All& all);
+List<Shot> order_shots(const WarmStart& all);
 
 /// Cold, warm, and a guess in the wrong place. All three are SI: the right ones have its colour, and only the
 /// dash tells them apart; the mistake has the colour of mistakes, as in lesson 07.

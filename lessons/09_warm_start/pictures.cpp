@@ -142,15 +142,15 @@ void draw_tops(Page& page, const Rect& rect, const WarmStart& all, int frame) {
 }
 
 /// The cold tower of the question at the end, and the warm one at the given step.
-QuestionFrame two_towers(const All& all, int frame, std::string state, std::string alt) {
-  const auto draw = [all, frame](Page& page, const Rect& rect) {
+QuestionFrame two_towers(const WarmStart& all, int frame, std::string state, std::string alt) {
+  const auto draw = [&all, frame](Page& page, const Rect& rect) {
     const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
     const List<Rect> panels = columns(parts[0], {1, 1}, page.sizes().gap);
     const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-    const std::string warm = frame == 0 ? "warm, ? sweeps" : all->few_warm.name;
-    draw_start(page, panels[0], *all, question_steps, {all->many_cold, styles[0], all->many_cold.name, true});
-    draw_start(page, panels[1], *all, frame, {all->few_warm, styles[1], warm});
-    draw_tops(page, parts[1], *all, frame);
+    const std::string warm = frame == 0 ? "warm, ? sweeps" : all.few_warm.name;
+    draw_start(page, panels[0], all, question_steps, {all.many_cold, styles[0], all.many_cold.name, true});
+    draw_start(page, panels[1], all, frame, {all.few_warm, styles[1], warm});
+    draw_tops(page, parts[1], all, frame);
   };
   return {.state = std::move(state), .alt = std::move(alt), .scene = draw};
 }
@@ -161,14 +161,14 @@ LessonInfo card_for(const WarmStart& all) {
   return info;
 }
 
-Shot step_shot(const All& all, int frame) {
-  return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all->settings.dt, 2)),
+Shot step_shot(const WarmStart& all, int frame) {
+  return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all.settings.dt, 2)),
           .alt = fmt::format(
               "Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
               "off; the tops have moved by {:+.0f} mm, {:+.0f} mm and {:+.0f} mm.",
-              frame, all->cold.loads[frame][0], all->warm.loads[frame][0], all->shifted.loads[frame][0],
-              risen(all->cold, frame), risen(all->warm, frame), risen(all->shifted, frame)),
-          .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
+              frame, all.cold.loads[frame][0], all.warm.loads[frame][0], all.shifted.loads[frame][0],
+              risen(all.cold, frame), risen(all.warm, frame), risen(all.shifted, frame)),
+          .draw = [&all, frame](Page& page) { draw_step(page, all, frame); }};
 }
 
 std::string answer_text(const WarmStart& all) {
@@ -186,13 +186,12 @@ FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
   return {{{theme.box2d.color, {10, 6}, Marker::square}, {theme.si.color, {}, Marker::circle}, theme.jacobi}};
 }
 
-List<Shot> start_shots(const WarmStart& recorded) {
-  const All all = std::make_shared<const WarmStart>(recorded);
-  const int last = all->settings.steps;
+List<Shot> start_shots(const WarmStart& all) {
+  const int last = all.settings.steps;
   const std::set<int> keys = {1, 5, 10, last};
   const std::string of_cold = fmt::format("after {} steps", question_steps);
   List<Shot> shots = {question_shot(
-      card_for(*all),
+      card_for(all),
       two_towers(all, 0, of_cold + ", and before the first",
                  "A tower of ten boxes after 50 cold sweeps in each step, which has sunk, one that is "
                  "about to begin warm, how the first one sank, and the question."))};
@@ -202,11 +201,11 @@ List<Shot> start_shots(const WarmStart& recorded) {
   }
   for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
   shots.push_back(answer_shot(
-      card_for(*all),
+      card_for(all),
       two_towers(
           all, question_steps, of_cold,
-          fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all->few)),
-      answer_text(*all)));
+          fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all.few)),
+      answer_text(all)));
   return shots;
 }
 

@@ -82,15 +82,15 @@ void draw_case(Page& page, const PairCase& one, const CaseText& text) {
 
 }  // namespace
 
-List<Shot> case_shots(const Run& run) {
+List<Shot> case_shots(const StoredRun& run) {
   List<Shot> shots;
-  for (int i = 0; i < run->cases.size(); ++i) {
+  for (int i = 0; i < run.cases.size(); ++i) {
     shots.push_back(
-        {.state = fmt::format("pair {} of {}", i + 1, run->cases.size()),
+        {.state = fmt::format("pair {} of {}", i + 1, run.cases.size()),
          .alt = fmt::format("Two contacts with their distances and the product of their rows, {:.4g}, beside "
                             "their entry in A, {:.4g}: {}.",
-                            run->cases[i].printed, run->cases[i].coupling, run->cases[i].title),
-         .draw = [run, i](Page& page) { draw_case(page, run->cases[i], case_texts()[i]); },
+                            run.cases[i].printed, run.cases[i].coupling, run.cases[i].title),
+         .draw = [&run, i](Page& page) { draw_case(page, run.cases[i], case_texts()[i]); },
          .key = true});
   }
   return shots;

@@ -103,11 +103,9 @@ CsvTable table_of(const StoredRun& run);
 /// Which rows meet, the pattern of A, pairs on which (30) errs, and what it all costs.
 List<Shot> stored_shots(const StoredRun& run);
 
-using Run = std::shared_ptr<const StoredRun>;
-
 /// Their parts: pairs of rows for which (30) and A disagree, and charts.
-List<Shot> case_shots(const Run& run);
-List<Shot> cost_shots(const Run& run);
+List<Shot> case_shots(const StoredRun& run);
+List<Shot> cost_shots(const StoredRun& run);
 
 /// A panel with the pattern of A as large as `rect` allows. Returns the square.
 Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const VelocityProblem<double>& problem);

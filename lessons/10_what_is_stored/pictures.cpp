@@ -168,33 +168,33 @@ void draw_counts(Page& page, const Rect& rect, const StoredRun& run) {
   page.table(rect, "", table);
 }
 
-Shot row_shot(const Run& run, int row) {
-  return {.state = fmt::format("row {} of {}", row + 1, run->problems[smallest].row_count()),
+Shot row_shot(const StoredRun& run, int row) {
+  return {.state = fmt::format("row {} of {}", row + 1, run.problems[smallest].row_count()),
           .alt = fmt::format("A pyramid of six boxes: contact {} is lit with all contacts on the same boxes; "
                              "beside it A as a heat map with row {} framed.",
                              row + 1, row + 1),
-          .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+          .draw = [&run, row](Page& page) { draw_row(page, run, row); },
           .key = row == 0 || row == 8};
 }
 
-QuestionFrame question_frame(const Run& run) {
-  return {.state = run->pyramids[largest].name,
+QuestionFrame question_frame(const StoredRun& run) {
+  return {.state = run.pyramids[largest].name,
           .alt = "A large pyramid of boxes, an empty strip for one row of its A, and the question.",
-          .scene = [run](Page& page, const Rect& rect) {
+          .scene = [&run](Page& page, const Rect& rect) {
             const List<Rect> parts = rows(rect, {0.8, 0.2}, page.sizes().gap);
-            draw_pyramid(page, parts[0], *run, largest);
-            draw_strip(page, parts[1], run->problems[largest], true);
+            draw_pyramid(page, parts[0], run, largest);
+            draw_strip(page, parts[1], run.problems[largest], true);
           }};
 }
 
-QuestionFrame answer_frame(const Run& run) {
-  return {.state = run->pyramids[largest].name,
+QuestionFrame answer_frame(const StoredRun& run) {
+  return {.state = run.pyramids[largest].name,
           .alt = fmt::format(
               "The pattern of A for {:g} rows, a thin band; one of its rows, and a piece of it enlarged; the "
               "counts for four pyramids; and the answer.",
-              run->pyramids[largest].rows),
-          .scene = [run](Page& page, const Rect& rect) { draw_largest(page, rect, *run); },
-          .evidence = [run](Page& page, const Rect& rect) { draw_counts(page, rect, *run); }};
+              run.pyramids[largest].rows),
+          .scene = [&run](Page& page, const Rect& rect) { draw_largest(page, rect, run); },
+          .evidence = [&run](Page& page, const Rect& rect) { draw_counts(page, rect, run); }};
 }
 
 }  // namespace
@@ -222,19 +222,18 @@ Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const Veloci
   return square;
 }
 
-List<Shot> stored_shots(const StoredRun& recorded) {
-  const Run run = std::make_shared<const StoredRun>(recorded);
+List<Shot> stored_shots(const StoredRun& run) {
   List<Shot> shots = {question_shot(card(), question_frame(run))};
-  for (int row = 0; row < run->problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
+  for (int row = 0; row < run.problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
   shots.push_back({.state = "three patterns",
                    .alt = "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
                           "thinner, and a grey block that only equation 30 counts.",
-                   .draw = [run](Page& page) { draw_patterns(page, *run); },
+                   .draw = [&run](Page& page) { draw_patterns(page, run); },
                    .key = true});
   for (const List<Shot>& part : {case_shots(run), cost_shots(run)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }
-  const Count& count = run->pyramids[largest];
+  const Count& count = run.pyramids[largest];
   shots.push_back(answer_shot(
       card(), answer_frame(run),
       fmt::format("{:.1f} of {:g}, and never more than 14. Without its zeros, A grows like m, as SI does.",

@@ -160,15 +160,13 @@ void tell_run(Lesson& lesson, const Study& study);
 void check_study(Lesson& lesson, const Study& study);
 CsvTable table_of(const Study& study);
 
-using SharedStudy = std::shared_ptr<const Study>;
-
 /// All frames, from the question to the answer.
 List<Shot> pictures(const Study& study);
 
 // The parts that pictures() puts together.
 
 /// The slide in two engines, four slopes, and the acceleration over the angle.
-List<Shot> slide_shots(const SharedStudy& study);
+List<Shot> slide_shots(const Study& study);
 
 // Forces on the block, drawn upon the slope.
 

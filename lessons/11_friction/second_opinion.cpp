@@ -1,8 +1,6 @@
 // Lesson 11. The same slope in Box2D, where this build has it.
 #include "lesson.hpp"
 
-#include "reference/box2d_world.hpp"
-
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"
 #endif

@@ -157,8 +157,8 @@ TableView threshold_table(const Study& study) {
 }
 
 /// The slippery block after `step` steps, in Cairn and in Box2D, and its speed over time.
-Shot slide_shot(const SharedStudy& study, int step) {
-  const Slide& slide = study->slippery;
+Shot slide_shot(const Study& study, int step) {
+  const Slide& slide = study.slippery;
   const int steps = slide.slope.steps;
   Shot shot;
   shot.key = step == steps;
@@ -167,57 +167,57 @@ Shot slide_shot(const SharedStudy& study, int step) {
       "After {} s the block slides at {} m/s in Cairn{}; below, how far both are from the exact speed.",
       fixed(slide.time[step], 2), fixed(slide.speed[step], 3),
       slide.box2d_speed.empty() ? "" : " and at " + fixed(slide.box2d_speed[step], 3) + " in Box2D");
-  shot.draw = [study, step](Page& page) { draw_slide(page, study->slippery, step); };
+  shot.draw = [&study, step](Page& page) { draw_slide(page, study.slippery, step); };
   return shot;
 }
 
 /// Both blocks on four slopes.
-Shot trial_shot(const SharedStudy& study) {
+Shot trial_shot(const Study& study) {
   Shot shot;
   shot.key = true;
-  const double time = study->settings.slope.steps * study->settings.slope.dt;
+  const double time = study.settings.slope.steps * study.settings.slope.dt;
   shot.state = "after " + significant(time) + " s";
   shot.alt = "Four slopes, each with a rough and a slippery block:";
-  for (const Trial& trial : study->trials) {
+  for (const Trial& trial : study.trials) {
     shot.alt += fmt::format(" at {}° the rough one {} and the slippery one {};", fixed(trial.degrees, 0),
                             outcome(trial.contest.ways[0]), outcome(trial.contest.ways[1]));
   }
-  shot.draw = [study](Page& page) {
+  shot.draw = [&study](Page& page) {
     const List<Rect> halves = rows(page.area(), {50, 50}, page.sizes().gap);
-    for (int i = 0; i < study->trials.size(); ++i) {
+    for (int i = 0; i < study.trials.size(); ++i) {
       const List<Rect> cells = columns(halves[i / 2], {50, 50}, page.sizes().gap);
-      draw_trial(page, cells[i % 2], *study, study->trials[i]);
+      draw_trial(page, cells[i % 2], study, study.trials[i]);
     }
   };
   return shot;
 }
 
 /// Acceleration over the angle.
-Shot curve_shot(const SharedStudy& study) {
+Shot curve_shot(const Study& study) {
   Shot shot;
   shot.key = true;
   shot.state = "holds, then slides";
   shot.alt =
       "Acceleration over the angle for both blocks: zero up to the critical angle, then along the formula; "
       "squares of Cairn and triangles of Box2D on the line.";
-  shot.draw = [study](Page& page) {
+  shot.draw = [&study](Page& page) {
     const List<Rect> parts = columns(page.area(), {62, 38}, page.sizes().gap);
-    draw_plot(page, parts[0], curve_plot(page, *study));
+    draw_plot(page, parts[0], curve_plot(page, study));
     const Rect rest = page.card(
         parts[1], "what is drawn",
         has_box2d() ? "At every second angle the block ran in Cairn (squares), at the others in "
                       "Box2D (triangles). The lines are the formula, and 0 where friction is enough."
                     : "Squares are Cairn. The lines are the formula, and 0 where friction is enough.");
-    page.table(rest, "slides above (°)", threshold_table(*study));
+    page.table(rest, "slides above (°)", threshold_table(study));
   };
   return shot;
 }
 
 }  // namespace
 
-List<Shot> slide_shots(const SharedStudy& study) {
+List<Shot> slide_shots(const Study& study) {
   List<Shot> shots;
-  for (int step = 1; step <= study->settings.slope.steps; ++step) shots.push_back(slide_shot(study, step));
+  for (int step = 1; step <= study.settings.slope.steps; ++step) shots.push_back(slide_shot(study, step));
   shots.push_back(trial_shot(study));
   shots.push_back(curve_shot(study));
   return shots;

@@ -84,20 +84,20 @@ void draw_both_bobs(Page& page, const FixedList<Rect, 2>& rects, const BlocksRun
   draw_bob(page, rects[1], all.bob_block, step, "block: " + time, style_of_blocks(page));
 }
 
-List<Shot> bob_shots(const Runs& all) {
-  const auto step_at = [&](double time) { return static_cast<int>(std::lround(time / all->settings.dt)); };
+List<Shot> bob_shots(const BlocksRuns& all) {
+  const auto step_at = [&](double time) { return static_cast<int>(std::lround(time / all.settings.dt)); };
   List<int> steps;
   for (int k = 1; k <= step_at(shown_seconds); ++k) steps.push_back(k);
-  steps.push_back(step_at(all->settings.pin_seconds));
+  steps.push_back(step_at(all.settings.pin_seconds));
   List<Shot> shots;
   for (const int k : steps) {
-    const double time = k * all->settings.dt;
+    const double time = k * all.settings.dt;
     shots.push_back({.state = fmt::format("C · {} s · step {}", fixed(time, 2), k),
                      .alt = fmt::format(
                          "A bob on a pin after {:.2f} s: row by row its energy is {:.3g} J, with the block "
                          "{:.3f} J.",
-                         time, all->bob_rows.energy[k], all->bob_block.energy[k]),
-                     .draw = [all, k](Page& page) { draw_bobs(page, *all, k); },
+                         time, all.bob_rows.energy[k], all.bob_block.energy[k]),
+                     .draw = [&all, k](Page& page) { draw_bobs(page, all, k); },
                      .key = k == step_at(0.8) || k == steps.back()});
   }
   return shots;

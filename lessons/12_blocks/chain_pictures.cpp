@@ -158,8 +158,8 @@ void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool a
   }
 }
 
-List<Shot> chain_shots(const Runs& all) {
-  const ChainRun& chain = all->chains[welded_three];
+List<Shot> chain_shots(const BlocksRuns& all) {
+  const ChainRun& chain = all.chains[welded_three];
   std::set<int> sweeps = {1, 2, 5, 10, 20, 50, 100, 200};
   sweeps.insert({chain.blocks.sweeps, chain.rows.sweeps});
   List<Shot> shots;
@@ -172,14 +172,14 @@ List<Shot> chain_shots(const Runs& all) {
          .alt = fmt::format("Three welded beams after {} sweeps: the largest error is {:.1f} % row by "
                             "row and {:.1f} % with blocks.",
                             sweep, error(chain.rows), error(chain.blocks)),
-         .draw = [all, sweep](Page& page) { draw_chain(page, all->chains[welded_three], sweep); },
+         .draw = [&all, sweep](Page& page) { draw_chain(page, all.chains[welded_three], sweep); },
          .key = sweep == 10});
   }
   shots.push_back(
       {.state = "B · all chains and a tower",
        .alt = "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower; beside "
               "it A of three welded beams with the square of each weld framed.",
-       .draw = [all](Page& page) { draw_table(page, *all); },
+       .draw = [&all](Page& page) { draw_table(page, all); },
        .key = true});
   return shots;
 }

@@ -139,15 +139,13 @@ void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings
 void check_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings);
 CsvTable sweeps_table(const BlocksRuns& all);
 
-using Runs = std::shared_ptr<const BlocksRuns>;
-
 /// The question, every row update of the rod, the chain as sweeps go by, every step of the bob.
 List<Shot> blocks_shots(const BlocksRuns& all);
 
 /// The frames of the chain of three welded beams, and the table of all chains.
-List<Shot> chain_shots(const Runs& all);
+List<Shot> chain_shots(const BlocksRuns& all);
 /// The frames of the bob.
-List<Shot> bob_shots(const Runs& all);
+List<Shot> bob_shots(const BlocksRuns& all);
 
 /// A chain before the first sweep.
 void draw_start(Page& page, const Rect& rect, const ChainRun& chain);

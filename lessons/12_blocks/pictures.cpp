@@ -167,22 +167,22 @@ void draw_block(Page& page, const BlocksRuns& all) {
                         .color = style_of_blocks(page).color});
 }
 
-List<Shot> rod_shots(const Runs& all) {
+List<Shot> rod_shots(const BlocksRuns& all) {
   List<Shot> shots;
-  for (int i = 1; i < all->rod.updates.size(); ++i) {
-    const RodUpdate& update = all->rod.updates[i];
+  for (int i = 1; i < all.rod.updates.size(); ++i) {
+    const RodUpdate& update = all.rod.updates[i];
     shots.push_back({.state = fmt::format("A · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
                      .alt = fmt::format(
                          "Sweep {}, row {}: the impulses are {:.3f} and {:.3f} N; one more step "
                          "of the zig-zag, and the pinned end moves at {:.4f} m/s.",
                          update.sweep, update.row + 1, update.after[0], update.after[1], update.slip.norm()),
-                     .draw = [all, i](Page& page) { draw_update(page, *all, i); },
+                     .draw = [&all, i](Page& page) { draw_update(page, all, i); },
                      .key = i == 2 || i == 5});
   }
   shots.push_back(
       {.state = "A · the block · sweep 1",
        .alt = "The block goes from zero to the answer in one step, beside the zig-zag of the rows.",
-       .draw = [all](Page& page) { draw_block(page, *all); },
+       .draw = [&all](Page& page) { draw_block(page, all); },
        .key = true});
   return shots;
 }
@@ -198,14 +198,14 @@ std::string answer_text(const BlocksRuns& all) {
 }
 
 /// What is known of the sweeps, beside the beams; in the answer all of it, beside the bob.
-QuestionFrame question_frame(const Runs& all, bool asked) {
-  const auto draw = [all, asked](Page& page, const Rect& rect) {
+QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
+  const auto draw = [&all, asked](Page& page, const Rect& rect) {
     const List<double> weights = asked ? List<double>{0.6, 0.4} : List<double>{0.4, 0.3, 0.3};
     const List<Rect> parts = columns(rect, weights, page.sizes().gap);
-    draw_sweep_bars(page, asked ? parts[1] : parts[0], *all, asked);
-    if (asked) return draw_start(page, parts[0], all->chains[welded_three]);
-    const int step = static_cast<int>(std::lround(0.8 / all->settings.dt));
-    draw_both_bobs(page, {parts[1], parts[2]}, *all, step);
+    draw_sweep_bars(page, asked ? parts[1] : parts[0], all, asked);
+    if (asked) return draw_start(page, parts[0], all.chains[welded_three]);
+    const int step = static_cast<int>(std::lround(0.8 / all.settings.dt));
+    draw_both_bobs(page, {parts[1], parts[2]}, all, step);
   };
   return {.state = asked ? "before the first sweep" : "answer",
           .alt = asked ? "Three beams, each welded to the one before and the first to a wall, bars of sweeps "
@@ -222,12 +222,11 @@ QuestionFrame question_frame(const Runs& all, bool asked) {
 SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
 SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
 
-List<Shot> blocks_shots(const BlocksRuns& recorded) {
-  const Runs all = std::make_shared<const BlocksRuns>(recorded);
+List<Shot> blocks_shots(const BlocksRuns& all) {
   List<Shot> shots = {question_shot(card(), question_frame(all, true))};
   for (const List<Shot>& more : {rod_shots(all), chain_shots(all), bob_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
-  shots.push_back(answer_shot(card(), question_frame(all, false), answer_text(*all)));
+  shots.push_back(answer_shot(card(), question_frame(all, false), answer_text(all)));
   return shots;
 }
 

@@ -140,15 +140,13 @@ void print_runs(Lesson& lesson, const SoftRuns& all);
 void check_runs(Lesson& lesson, const SoftRuns& all);
 CsvTable steps_table(const SoftRuns& all);
 
-using Runs = std::shared_ptr<const SoftRuns>;
-
 /// Every step of a weight on two rows, and all that follows.
 List<Shot> soft_shots(const SoftRuns& all);
 
 /// Stiffer springs; three weights; the spring as a force.
-List<Shot> stiff_shots(const Runs& all);
-List<Shot> column_shots(const Runs& all);
-List<Shot> harsh_shots(const Runs& all);
+List<Shot> stiff_shots(const SoftRuns& all);
+List<Shot> column_shots(const SoftRuns& all);
+List<Shot> harsh_shots(const SoftRuns& all);
 
 /// A zig-zag from the foot of a spring at x up to its end [m].
 void draw_spring(Page& page, const Camera& camera, double x, double bottom, double top,

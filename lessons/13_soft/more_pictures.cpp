@@ -211,43 +211,43 @@ void draw_harsh(Page& page, const SoftRuns& all) {
 
 }  // namespace
 
-List<Shot> stiff_shots(const Runs& all) {
+List<Shot> stiff_shots(const SoftRuns& all) {
   return {{.state = "stiffer and stiffer",
            .alt = "Oscillations on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ "
                   "goes to 0, β "
                   "to 1, the sag to 0.",
-           .draw = [all](Page& page) { draw_stiff(page, *all); },
+           .draw = [&all](Page& page) { draw_stiff(page, all); },
            .key = true}};
 }
 
-List<Shot> column_shots(const Runs& all) {
+List<Shot> column_shots(const SoftRuns& all) {
   List<Shot> shots;
   shots.push_back(
       {.state = "three weights · A",
        .alt = fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
                           "to the diagonal.",
-                          all->soft_column.gamma),
-       .draw = [all](Page& page) { draw_matrices(page, *all); },
+                          all.soft_column.gamma),
+       .draw = [&all](Page& page) { draw_matrices(page, all); },
        .key = true});
   for (int sweep = 1; sweep <= shown_sweeps; ++sweep) {
     shots.push_back(
         {.state = fmt::format("three weights · sweep {}", sweep),
          .alt = fmt::format("After sweep {} the largest error is {:.2g} with rods and {:.2g} with "
                             "springs.",
-                            sweep, all->rigid_column.error[sweep], all->soft_column.error[sweep]),
-         .draw = [all, sweep](Page& page) { draw_sweep(page, *all, sweep); },
+                            sweep, all.rigid_column.error[sweep], all.soft_column.error[sweep]),
+         .draw = [&all, sweep](Page& page) { draw_sweep(page, all, sweep); },
          .key = sweep == 2});
   }
   return shots;
 }
 
-List<Shot> harsh_shots(const Runs& all) {
+List<Shot> harsh_shots(const SoftRuns& all) {
   return {
-      {.state = fmt::format("a stiff spring, Δt = {:g} s", all->settings.dt),
+      {.state = fmt::format("a stiff spring, Δt = {:g} s", all.settings.dt),
        .alt =
            "Left: the same stiff spring as a force diverges, as a row it comes to rest. Right: by how much "
            "a step multiplies the oscillation, against the frequency; as a row always less than 1.",
-       .draw = [all](Page& page) { draw_harsh(page, *all); },
+       .draw = [&all](Page& page) { draw_harsh(page, all); },
        .key = true}};
 }
 

@@ -142,22 +142,21 @@ void draw_step(Page& page, const SoftRuns& all, int step) {
                            .color = style_of_soft(page).color});
 }
 
-Shot step_shot(const Runs& all, int step, bool key) {
-  const double time = step * all->settings.dt;
-  return {
-      .state = fmt::format("step {} · t = {} s", step, fixed(time, 2)),
-      .alt = fmt::format(
-          "After {:.2f} s the weight on the soft row is {:.1f} mm from where its spring has "
-          "no load, exactly it would be {:.1f} mm; the one on the rod {:.1f} mm. The rows push "
-          "with {:.1f} and {:.1f} N.",
-          time, 1000 * all->spring.error[step], 1000 * exact_error(all->settings, time),
-          1000 * all->rigid.error[step] + 0.0, all->spring.rows[step].lambda, all->rigid.rows[step].lambda),
-      .draw = [all, step](Page& page) { draw_step(page, *all, step); },
-      .key = key};
+Shot step_shot(const SoftRuns& all, int step, bool key) {
+  const double time = step * all.settings.dt;
+  return {.state = fmt::format("step {} · t = {} s", step, fixed(time, 2)),
+          .alt = fmt::format(
+              "After {:.2f} s the weight on the soft row is {:.1f} mm from where its spring has "
+              "no load, exactly it would be {:.1f} mm; the one on the rod {:.1f} mm. The rows push "
+              "with {:.1f} and {:.1f} N.",
+              time, 1000 * all.spring.error[step], 1000 * exact_error(all.settings, time),
+              1000 * all.rigid.error[step] + 0.0, all.spring.rows[step].lambda, all.rigid.rows[step].lambda),
+          .draw = [&all, step](Page& page) { draw_step(page, all, step); },
+          .key = key};
 }
 
 /// The weights before or after the first step, which is asked for.
-QuestionFrame weights_frame(const Runs& all, int step) {
+QuestionFrame weights_frame(const SoftRuns& all, int step) {
   return {.state = step == 0 ? "before the first step" : "after the first step",
           .alt = step == 0
                      ? "Two weights, one on a spring and one on a rod, both pressed down by 200 mm; the "
@@ -165,7 +164,7 @@ QuestionFrame weights_frame(const Runs& all, int step) {
                      : "Both weights after the first step with the pushes of their rows on one scale, "
                        "the spring's as a force in pale beside them; and the "
                        "answer.",
-          .scene = [all, step](Page& page, const Rect& rect) { draw_weights(page, rect, *all, step); }};
+          .scene = [&all, step](Page& page, const Rect& rect) { draw_weights(page, rect, all, step); }};
 }
 
 }  // namespace
@@ -188,13 +187,12 @@ void draw_spring(Page& page, const Camera& camera, double x, double bottom, doub
 SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
 SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
 
-List<Shot> soft_shots(const SoftRuns& recorded) {
-  const Runs all = std::make_shared<const SoftRuns>(recorded);
+List<Shot> soft_shots(const SoftRuns& all) {
   List<Shot> shots = {question_shot(card(), weights_frame(all, 0))};
-  const int frames = std::min(last_step(*all), most_frames);
+  const int frames = std::min(last_step(all), most_frames);
   const std::set<int> keys = {1, 5, 20};
   for (int frame = 1; frame <= frames; ++frame)
-    shots.push_back(step_shot(all, frame * last_step(*all) / frames, keys.contains(frame)));
+    shots.push_back(step_shot(all, frame * last_step(all) / frames, keys.contains(frame)));
   for (const List<Shot>& more : {stiff_shots(all), column_shots(all), harsh_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
   shots.push_back(answer_shot(
@@ -202,7 +200,7 @@ List<Shot> soft_shots(const SoftRuns& recorded) {
       fmt::format(
           "{} N, less than −k c = {}\u00a0N. At the end of the step the spring is longer, and its damper "
           "resists: the row pushes with the force of that moment.",
-          fixed(all->spring.rows[1].lambda, 1), fixed(stiffness(all->settings) * all->settings.pressed, 1))));
+          fixed(all.spring.rows[1].lambda, 1), fixed(stiffness(all.settings) * all.settings.pressed, 1))));
   return shots;
 }
 

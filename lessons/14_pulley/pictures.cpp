@@ -5,8 +5,6 @@ namespace cairn::pulley {
 
 namespace {
 
-using Runs = std::shared_ptr<const PulleyRuns>;
-
 const double half_box = 0.3;  // [m] of a mass
 
 /// A wheel, and the bar between its middle and what it hangs on or what hangs on it.
@@ -206,29 +204,29 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   draw_plot(page, right[1], room);
 }
 
-Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {
-  const PulleyStep& step = all->runs[0].steps[k];
+Shot step_shot(const PulleyRuns& all, int k, const std::set<int>& keys) {
+  const PulleyStep& step = all.runs[0].steps[k];
   const bool slack = step.tension <= 0;
   return {.state = fmt::format("step {} · {}", k, slack ? "the rope is slack" : "the rope is taut"),
           .alt = fmt::format(
               "Step {}: the rope is {} and pulls with {:.2f} N; the masses move at {:.2f}, {:.2f} and "
               "{:.2f} m/s upwards.",
               k, slack ? "slack" : "taut", step.tension, step.speed[0], step.speed[1], step.speed[2]),
-          .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+          .draw = [&all, k](Page& page) { draw_step(page, all, k); },
           .key = keys.contains(k)};
 }
 
 /// The masses before or after the first step, which is asked for; then with their accelerations.
-QuestionFrame moment(const Runs& all, int k) {
-  const auto scene = [all, k](Page& page, const Rect& rect) {
-    const PulleyStep& step = all->runs[0].steps[k];
-    const Camera camera = draw_masses(page, rect, *all, step);
-    draw_pulls(page, camera, *all, step);
+QuestionFrame moment(const PulleyRuns& all, int k) {
+  const auto scene = [&all, k](Page& page, const Rect& rect) {
+    const PulleyStep& step = all.runs[0].steps[k];
+    const Camera camera = draw_masses(page, rect, all, step);
+    draw_pulls(page, camera, all, step);
     TextStyle text = page.value();
     text.size *= 1.3;
     if (k == 0) page.canvas().text(camera.project({-3 * wheel_radius + 0.12, 3.6}), "λ = ? N", text);
     for (int mass = 0; k > 0 && mass < 3; ++mass) {
-      const double acceleration = step.speed[mass] / all->settings.dt;
+      const double acceleration = step.speed[mass] / all.settings.dt;
       if (std::abs(acceleration) > 1e-6)
         draw_motion(page, camera, step, mass, acceleration, std::abs(acceleration) / 8,
                     fixed(acceleration, 1, Sign::always) + " m/s²");
@@ -244,19 +242,18 @@ QuestionFrame moment(const Runs& all, int k) {
 
 }  // namespace
 
-List<Shot> pulley_shots(const PulleyRuns& recorded) {
-  const Runs all = std::make_shared<const PulleyRuns>(recorded);
-  const int last = all->settings.steps;
-  const int lift = all->settings.lift_step;
-  const std::set<int> keys = {lift + 1, lift + 10, hardest_pull(*all)};
+List<Shot> pulley_shots(const PulleyRuns& all) {
+  const int last = all.settings.steps;
+  const int lift = all.settings.lift_step;
+  const std::set<int> keys = {lift + 1, lift + 10, hardest_pull(all)};
   List<Shot> shots = {question_shot(card(), moment(all, 0))};
   shots.push_back(
       {.state = "step 1 · one row, one sweep",
        .alt = "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.",
-       .draw = [all](Page& page) { draw_equation(page, *all); },
+       .draw = [&all](Page& page) { draw_equation(page, all); },
        .key = true});
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
-  const double tension = tension_by_hand(all->settings);
+  const double tension = tension_by_hand(all.settings);
   shots.push_back(answer_shot(
       card(), moment(all, 1),
       fmt::format("{} N, after one sweep. Each part of the rope pulls with it: {}, {} and {} N on the three "

@@ -5,8 +5,6 @@ namespace cairn::top_view {
 
 namespace {
 
-using Recorded = std::shared_ptr<const Slides>;
-
 /// What (22) asks for and what the clamps leave, as far as the step has come: row x, row y, the vector.
 void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
   const SlideSettings& settings = all.settings;
@@ -124,28 +122,28 @@ void draw_step(Page& page, const Slides& all, int k) {
   draw_speeds(page, right[1], all, k);
 }
 
-Shot step_shot(const Recorded& all, int k, bool key) {
-  const SlideStep& circle = all->circle.steps[k];
-  const SlideStep& square = all->square.steps[k];
+Shot step_shot(const Slides& all, int k, bool key) {
+  const SlideStep& circle = all.circle.steps[k];
+  const SlideStep& square = all.square.steps[k];
   return {
-      .state = fmt::format("step {} · t = {:.2f} s", k, k * all->settings.dt),
+      .state = fmt::format("step {} · t = {:.2f} s", k, k * all.settings.dt),
       .alt = fmt::format(
           "After {:.2f} s: the puck with the circle is at ({:.2f}, {:.2f}) m and pulled with {:.2f} N, the "
           "one with the square at ({:.2f}, {:.2f}) m with {:.2f} N.",
-          k * all->settings.dt, circle.place.x(), circle.place.y(), circle.lambda.norm(), square.place.x(),
+          k * all.settings.dt, circle.place.x(), circle.place.y(), circle.lambda.norm(), square.place.x(),
           square.place.y(), square.lambda.norm()),
-      .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+      .draw = [&all, k](Page& page) { draw_step(page, all, k); },
       .key = key};
 }
 
-Shot direction_shot(const Recorded& all, int count) {
-  const int last = all->directions.size();
+Shot direction_shot(const Slides& all, int count) {
+  const int last = all.directions.size();
   return {.state = fmt::format("{} of {} directions", count, last),
           .alt = fmt::format(
               "Where the pucks stop for {} of {} directions: with the circle on a circle, with the square on "
               "a diamond inside it; and how far, and where to, over the direction.",
               count, last),
-          .draw = [all, count](Page& page) { draw_directions(page, *all, count); },
+          .draw = [&all, count](Page& page) { draw_directions(page, all, count); },
           .key = count == last};
 }
 
@@ -188,15 +186,14 @@ void draw_ends(Page& page, const Rect& rect, const Slides& all) {
 
 }  // namespace
 
-List<Shot> slide_shots(const Slides& recorded) {
-  const Recorded all = std::make_shared<const Slides>(recorded);
-  const int last = all->circle.steps.size() - 1;
+List<Shot> slide_shots(const Slides& all) {
+  const int last = all.circle.steps.size() - 1;
   List<Shot> shots;
   shots.push_back(question_shot(
       card(), {.state = "before the first step",
                .alt = "A puck on a table from above with its velocity, a square and a circle "
                       "as limits of the friction force, and the question",
-               .scene = [all](Page& page, const Rect& rect) { draw_question(page, rect, *all); },
+               .scene = [&all](Page& page, const Rect& rect) { draw_question(page, rect, all); },
                .place = ScenePlace::above}));
   for (int i = 0; i < 2; ++i) {
     shots.push_back(
@@ -204,27 +201,27 @@ List<Shot> slide_shots(const Slides& recorded) {
          .alt = fmt::format("The plane of the friction forces with a square and a circle as limits: "
                             "row {} is clamped to the square.",
                             i == 0 ? "x" : "y"),
-         .draw = [all, i](Page& page) { draw_row(page, *all, i); },
+         .draw = [&all, i](Page& page) { draw_row(page, all, i); },
          .key = true});
   }
   shots.push_back({.state = "step 1 · the vector",
                    .alt = "The same plane: the vector is clamped to the circle, and stays against v.",
-                   .draw = [all](Page& page) { draw_vector(page, *all); },
+                   .draw = [&all](Page& page) { draw_vector(page, all); },
                    .key = true});
   const int stride = (last + 59) / 60;
   std::set<int> keys;
   for (const double part : {0.4, 0.65, 0.85}) keys.insert(static_cast<int>(part * last) / stride * stride);
   for (int k = stride; k < last; k += stride) shots.push_back(step_shot(all, k, keys.contains(k)));
   shots.push_back(step_shot(all, last, false));
-  const int directions = all->directions.size();
+  const int directions = all.directions.size();
   for (int count = 1; count <= directions; ++count) shots.push_back(direction_shot(all, count));
   shots.push_back(answer_shot(
       card(),
       {.state = "all at rest",
        .alt = "Both pucks at rest, each at the end of its path, with its distance from the start, and "
               "the answer.",
-       .scene = [all](Page& page, const Rect& rect) { draw_ends(page, rect, *all); }},
-      answer_text(*all)));
+       .scene = [&all](Page& page, const Rect& rect) { draw_ends(page, rect, all); }},
+      answer_text(all)));
   return shots;
 }
 

@@ -5,8 +5,6 @@ namespace cairn::everybody {
 
 namespace {
 
-using Feet = std::shared_ptr<const FeetRun>;
-
 const double box_middle = 0.62;  // [m] as the snapshot has it
 const double sum_place = 1.2;    // [m] where the pushes stand upon each other, beside the box
 const double weight_place = 1.5;
@@ -93,13 +91,13 @@ void draw_sweep(Page& page, const FeetRun& run, int sweep) {
   page.note(right[1], fmt::format("Sweep {}", sweep), sweep_text(run, sweep));
 }
 
-Shot sweep_shot(const Feet& run, int sweep) {
-  const FeetHistory& plain = history_of(*run, Method::plain);
+Shot sweep_shot(const FeetRun& run, int sweep) {
+  const FeetHistory& plain = history_of(run, Method::plain);
   return {.state = fmt::format("plain Jacobi · sweep {}", sweep),
           .alt = fmt::format("Plain Jacobi after sweep {}: the feet push with {:.1f} N together, the weight "
                              "being 60 N, and the box moves at {:.3f} m/s upwards.",
                              sweep, together(plain.lambda[sweep]), plain.speed[sweep]),
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
           .key = sweep <= 2};
 }
 
@@ -139,21 +137,20 @@ void draw_speeds(Page& page, const FeetRun& run) {
             "converges; q > 2: grows, or never ends.");
 }
 
-List<Shot> feet_shots(const FeetRun& feet) {
-  const Feet run = std::make_shared<const FeetRun>(feet);
+List<Shot> feet_shots(const FeetRun& run) {
   List<Shot> shots;
   shots.push_back(question_shot(
       card(),
       {.state = "before the first sweep",
        .alt = fmt::format("A box that comes down on {} feet, none of which pushes yet, and the question",
-                          run->settings.feet),
-       .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 0); }}));
-  for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
+                          run.settings.feet),
+       .scene = [&run](Page& page, const Rect& rect) { draw_feet(page, rect, run, 0); }}));
+  for (int sweep = 1; sweep <= run.settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
-      {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),
+      {.state = fmt::format("four methods, {} sweeps", run.settings.sweeps),
        .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
               "the share q that one sweep of each removes.",
-       .draw = [run](Page& page) { draw_speeds(page, *run); },
+       .draw = [&run](Page& page) { draw_speeds(page, run); },
        .key = true});
   return shots;
 }
@@ -166,8 +163,8 @@ std::string summands(const List<double>& lambda) {
   return text;
 }
 
-Shot last_shot(const Feet& run) {
-  const List<double>& first = history_of(*run, Method::plain).lambda[1];
+Shot last_shot(const FeetRun& run) {
+  const List<double>& first = history_of(run, Method::plain).lambda[1];
   const std::string text = fmt::format(
       "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. Damped, or "
       "with split masses, Jacobi converges.",
@@ -176,7 +173,7 @@ Shot last_shot(const Feet& run) {
                      {.state = "after the first sweep",
                       .alt = "The box after the first sweep: the three pushes, tip to tail, are more than "
                              "twice as long as the weight.",
-                      .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 1); }},
+                      .scene = [&run](Page& page, const Rect& rect) { draw_feet(page, rect, run, 1); }},
                      text);
 }
 
@@ -198,7 +195,7 @@ SeriesStyle style_of(const Theme& theme, Method method) {
 List<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile) {
   List<Shot> shots = feet_shots(feet);
   for (Shot& shot : pile_shots(pile)) shots.push_back(std::move(shot));
-  shots.push_back(last_shot(std::make_shared<const FeetRun>(feet)));
+  shots.push_back(last_shot(feet));
   return shots;
 }
 

@@ -6,8 +6,6 @@ namespace cairn::everybody {
 
 namespace {
 
-using Pile = std::shared_ptr<const PileRun>;
-
 /// The pyramid with the number of rows on each box.
 void draw_rows_on_boxes(Page& page, const Rect& rect, const PileRun& run) {
   const Rect inside = page.panel(rect, "rows on each box");
@@ -121,38 +119,37 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
   draw_plot(page, parts[1], plot);
 }
 
-Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
-  return {.state = fmt::format("step {} of {} · grey: the mirror image", step, run->settings.steps),
+Shot mirror_shot(const PileRun& run, int step, const std::set<int>& keys) {
+  return {.state = fmt::format("step {} of {} · grey: the mirror image", step, run.settings.steps),
           .alt = fmt::format("Step {}: a ball falls on two pyramids, each drawn over its mirror image. Split "
                              "Jacobi is off by {:.1e} m, SI by {:.1e} m.",
-                             step, run->mirrors[0].asymmetry[step], run->mirrors[1].asymmetry[step]),
-          .draw = [run, step](Page& page) { draw_asymmetry(page, *run, step); },
+                             step, run.mirrors[0].asymmetry[step], run.mirrors[1].asymmetry[step]),
+          .draw = [&run, step](Page& page) { draw_asymmetry(page, run, step); },
           .key = keys.contains(step)};
 }
 
 }  // namespace
 
-List<Shot> pile_shots(const PileRun& pile) {
-  const Pile run = std::make_shared<const PileRun>(pile);
-  const int last = run->settings.steps;
+List<Shot> pile_shots(const PileRun& run) {
+  const int last = run.settings.steps;
   List<Shot> shots;
-  shots.push_back({.state = fmt::format("a pyramid, {} rows", run->problem.row_count()),
+  shots.push_back({.state = fmt::format("a pyramid, {} rows", run.problem.row_count()),
                    .alt = "A pyramid with the number of rows on each box, and the largest eigenvalue of each "
                           "method.",
-                   .draw = [run](Page& page) { draw_eigenvalues(page, *run); },
+                   .draw = [&run](Page& page) { draw_eigenvalues(page, run); },
                    .key = true});
   shots.push_back({.state = "one step of the pyramid",
                    .alt = "Residual against sweeps for four methods, and how many waits each needs with a "
                           "processor for each row.",
-                   .draw = [run](Page& page) { draw_convergence(page, *run); },
+                   .draw = [&run](Page& page) { draw_convergence(page, run); },
                    .key = true});
   shots.push_back(
       {.state =
-           fmt::format("{} contacts, {} colours", run->contacts.contacts.size(), run->contacts.count.size()),
+           fmt::format("{} contacts, {} colours", run.contacts.contacts.size(), run.contacts.count.size()),
        .alt = fmt::format("The contacts of the pyramid, joined box to box and numbered by colour: "
                           "{} of them go at the same time in {} turns.",
-                          counts_text(run->contacts), run->contacts.count.size()),
-       .draw = [run](Page& page) { draw_colours(page, *run); },
+                          counts_text(run.contacts), run.contacts.count.size()),
+       .draw = [&run](Page& page) { draw_colours(page, run); },
        .key = true});
   for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {15, last}));
   return shots;

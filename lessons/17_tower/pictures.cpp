@@ -5,8 +5,6 @@ namespace cairn::tower {
 
 namespace {
 
-using Runs = std::shared_ptr<const TowerRuns>;
-
 FixedList<SeriesStyle, 3> engine_styles(const Page& page) {
   return {page.theme().pgs, page.theme().si, page.theme().box2d};
 }
@@ -119,16 +117,16 @@ void draw_step(Page& page, const TowerRuns& runs, const List<EngineRun>& engines
   draw_plot(page, plots[1], gap_plot(page, runs, engines, frame));
 }
 
-Shot step_shot(const Runs& runs, bool is_warm, int frame) {
-  const List<EngineRun>& engines = is_warm ? runs->warm : runs->cold;
+Shot step_shot(const TowerRuns& runs, bool is_warm, int frame) {
+  const List<EngineRun>& engines = is_warm ? runs.warm : runs.cold;
   const std::string start = is_warm ? "warm start" : "cold start";
-  return {.state = fmt::format("{} · step {} · t = {:.2f} s", start, frame, frame * runs->settings.dt),
+  return {.state = fmt::format("{} · step {} · t = {:.2f} s", start, frame, frame * runs.settings.dt),
           .alt = fmt::format(
               "Step {}, {}: the lowest box carries {:.2f} N under PGS, {:.2f} N under SI and {:.2f} N "
               "under Box2D; SI's tower is {:.2f} m high.",
               frame, start, engines[0].loads[frame][0], engines[1].loads[frame][0],
               engines[2].loads[frame][0], engines[1].frames[frame].bodies.back().pose.position.y() + 0.5),
-          .draw = [runs, &engines, frame](Page& page) { draw_step(page, *runs, engines, frame); }};
+          .draw = [&runs, &engines, frame](Page& page) { draw_step(page, runs, engines, frame); }};
 }
 
 std::string answer_text(const TowerRuns& runs) {
@@ -141,18 +139,17 @@ std::string answer_text(const TowerRuns& runs) {
 
 }  // namespace
 
-List<Shot> tower_shots(const TowerRuns& all) {
-  const Runs runs = std::make_shared<const TowerRuns>(all);
-  const int last = runs->settings.steps, wrong = std::min(5, last);
-  const auto draw_question = [runs, wrong](Page& page, const Rect& rect) {
-    draw_tower(page, rect, *runs, runs->warm, wrong, Shown::si_alone);
+List<Shot> tower_shots(const TowerRuns& runs) {
+  const int last = runs.settings.steps, wrong = std::min(5, last);
+  const auto draw_question = [&runs, wrong](Page& page, const Rect& rect) {
+    draw_tower(page, rect, runs, runs.warm, wrong, Shown::si_alone);
   };
   List<Shot> shots = {question_shot(
       card(), {.state = fmt::format("after {} steps", wrong),
                .alt = fmt::format(
                    "A tower of {} boxes with the loads that SI has found in step {}, question marks for "
                    "PGS and Box2D, and the question",
-                   runs->settings.boxes, wrong),
+                   runs.settings.boxes, wrong),
                .scene = draw_question})};
   for (const bool is_warm : {true, false}) {
     for (int k = 1; k <= last; ++k) {
@@ -160,12 +157,12 @@ List<Shot> tower_shots(const TowerRuns& all) {
       shots.back().key = k == wrong || k == last || (is_warm && k == 1);
     }
   }
-  const auto draw_answer = [runs, last](Page& page, const Rect& rect) {
-    Plot plot = gap_plot(page, *runs, runs->warm, last);
+  const auto draw_answer = [&runs, last](Page& page, const Rect& rect) {
+    Plot plot = gap_plot(page, runs, runs.warm, last);
     plot.now = {};
-    plot.series[0] = gap_series("top down − SI", {.color = page.theme().box2d.color}, runs->from_top[1].loads,
-                                runs->warm[1].loads);
-    const double gap = gap_to_box2d(*runs);
+    plot.series[0] = gap_series("top down − SI", {.color = page.theme().box2d.color}, runs.from_top[1].loads,
+                                runs.warm[1].loads);
+    const double gap = gap_to_box2d(runs);
     plot.goals.push_back({gap, significant(gap, 2) + " N"});
     draw_plot(page, rect, plot);
   };
@@ -176,7 +173,7 @@ List<Shot> tower_shots(const TowerRuns& all) {
                           "tens of newtons, in the same order by some hundred thousandths, PGS by "
                           "less still; and the answer.",
                    .scene = draw_answer},
-                  answer_text(*runs)));
+                  answer_text(runs)));
   return shots;
 }
 

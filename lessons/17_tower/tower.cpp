@@ -1,8 +1,6 @@
 // The scene, the loads of a snapshot, and Box2D.
 #include "lesson.hpp"
 
-#include "reference/box2d_world.hpp"
-
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"
 #endif

@@ -115,13 +115,11 @@ void report(Lesson& lesson, const CostRun& run);
 /// Errors, and no times: those are different on every run.
 CsvTable errors_table(const CostRun& run);
 
-using Runs = std::shared_ptr<const CostRun>;
-
 /// The tower's loads sweep by sweep, errors against sweeps and work, and what moves them.
 List<Shot> cost_shots(const CostRun& run);
 
 /// Digits, sizes, precision, and what a row update takes on this machine.
-List<Shot> digit_shots(const Runs& run);
+List<Shot> digit_shots(const CostRun& run);
 
 /// In the order of CostRun::curves: SI, Jacobi, SOR, momentum.
 SeriesStyle style_of(const Page& page, int curve);

@@ -134,11 +134,11 @@ void draw_updates(Page& page, const CostRun& run) {
 
 }  // namespace
 
-List<Shot> digit_shots(const Runs& run) {
-  const auto draw_both = [run](Page& page) {
+List<Shot> digit_shots(const CostRun& run) {
+  const auto draw_both = [&run](Page& page) {
     const List<Rect> halves = rows(page.area(), {1, 1}, page.sizes().gap);
-    draw_digits(page, halves[0], *run, false);
-    draw_digits(page, halves[1], *run, true);
+    draw_digits(page, halves[0], run, false);
+    draw_digits(page, halves[1], run, true);
   };
   return {
       {.state = "sweeps, and work",
@@ -150,18 +150,18 @@ List<Shot> digit_shots(const Runs& run) {
        .alt =
            "Sweeps until 1 % is left against the number of boxes: SI's grow like its square, those with the "
            "best ω like the number.",
-       .draw = [run](Page& page) { draw_sizes(page, *run); },
+       .draw = [&run](Page& page) { draw_sizes(page, run); },
        .key = true},
       {.state = "float, double",
        .alt = fmt::format("Errors of SI in float and in double, sweep by sweep: float ends at {:.1e}.",
-                          run->single.error.back()),
-       .draw = [run](Page& page) { draw_precision(page, *run); },
+                          run.single.error.back()),
+       .draw = [&run](Page& page) { draw_precision(page, run); },
        .key = true},
       {.state = "time of a row update",
        .alt =
            "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
            "growing with the rows for dense and naive PGS.",
-       .draw = [run](Page& page) { draw_updates(page, *run); },
+       .draw = [&run](Page& page) { draw_updates(page, run); },
        .key = true}};
 }
 

@@ -69,14 +69,14 @@ void draw_sweep(Page& page, const CostRun& run, int sweep) {
   draw_plot(page, parts[1], plot);
 }
 
-Shot sweep_shot(const Runs& run, int sweep, bool key) {
+Shot sweep_shot(const CostRun& run, int sweep, bool key) {
   std::string alt = fmt::format("After {} sweeps the largest error is", sweep);
-  for (int which = 0; which < run->curves.size(); ++which)
-    alt += fmt::format(" {:.2g} with {},", error_after(run->curves[which], sweep), run->curves[which].name);
+  for (int which = 0; which < run.curves.size(); ++which)
+    alt += fmt::format(" {:.2g} with {},", error_after(run.curves[which], sweep), run.curves[which].name);
   alt.back() = '.';
   return {.state = fmt::format("sweep {} · ticks: exact loads", sweep),
           .alt = alt,
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
           .key = key};
 }
 
@@ -156,17 +156,16 @@ std::string short_name(const CostRun& run, int curve) {
   return curve == si_curve ? "SI" : "momentum";
 }
 
-List<Shot> cost_shots(const CostRun& recorded) {
-  const Runs run = std::make_shared<const CostRun>(recorded);
-  const int hundredth = sweeps_to(run->curves[si_curve].error, 0.01);
+List<Shot> cost_shots(const CostRun& run) {
+  const int hundredth = sweeps_to(run.curves[si_curve].error, 0.01);
   List<Shot> shots;
   shots.push_back(question_shot(
       card(),
       {.state = "until 1 % is left",
        .alt = fmt::format("A tower of {} boxes with the loads that SI has found after {} sweeps, its error "
                           "over these sweeps, and the question",
-                          run->settings.boxes, hundredth),
-       .scene = [run](Page& page, const Rect& rect) { draw_question(page, rect, *run); }}));
+                          run.settings.boxes, hundredth),
+       .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }}));
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
   for (const Shot& shot : digit_shots(run)) shots.push_back(shot);
@@ -176,8 +175,8 @@ List<Shot> cost_shots(const CostRun& recorded) {
                    .alt = "SI's error until a billionth of it is left: a line on a logarithmic axis, along "
                           "which every digit "
                           "takes as many sweeps; and the answer.",
-                   .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
-                  answer_text(*run)));
+                   .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
+                  answer_text(run)));
   return shots;
 }
 

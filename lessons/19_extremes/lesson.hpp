@@ -155,12 +155,10 @@ CsvTable numbers_table(const ExtremesRun& run);
 /// "100 kg on 1 kg": the name of a ratio of masses.
 std::string name_of(double ratio);
 
-using Run = std::shared_ptr<const ExtremesRun>;
-
 /// The ground and two boxes with their masses on them, the heavy one darker.
 void draw_boxes(Page& page, const Camera& camera, const Snapshot& now, double ratio);
 /// Eight worlds, step by step.
-List<Shot> wall_shots(const Run& run);
+List<Shot> wall_shots(const ExtremesRun& run);
 /// The question, the two stacks, the above, and the answer.
 List<Shot> extremes_shots(const ExtremesRun& run);
 

@@ -106,15 +106,15 @@ void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
   page.equation(left[1], equation_of(page, run, sweep));
 }
 
-Shot sweep_shot(const Run& run, int sweep, bool key) {
-  const RatioRun& heavy = run_of(run->ratios, run->settings.ratio);
-  const RatioRun& light = run_of(run->ratios, 1 / run->settings.ratio);
+Shot sweep_shot(const ExtremesRun& run, int sweep, bool key) {
+  const RatioRun& heavy = run_of(run.ratios, run.settings.ratio);
+  const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
   const double found = sweep < light.error.size() ? 1 - light.error[sweep] : 1;
   return {.state = fmt::format("sweep {}", sweep),
           .alt = fmt::format("After sweep {}: {} has found {:.1f} % of the load on the ground, {} {:.1f} %.",
                              sweep, name_of(heavy.ratio), 100 * (1 - heavy.error[sweep]),
                              name_of(light.ratio), 100 * found),
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
           .key = key};
 }
 
@@ -168,8 +168,8 @@ void draw_map(Page& page, const ExtremesRun& run) {
 }
 
 /// The two stacks, sweep by sweep, and the map of all ratios.
-List<Shot> ratio_shots(const Run& run) {
-  const int last = run_of(run->ratios, run->settings.ratio).counted;
+List<Shot> ratio_shots(const ExtremesRun& run) {
+  const int last = run_of(run.ratios, run.settings.ratio).counted;
   List<Shot> shots;
   for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000}) {
     if (sweep < last) shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10));
@@ -178,7 +178,7 @@ List<Shot> ratio_shots(const Run& run) {
   shots.push_back({.state = "all masses",
                    .alt = "A map of the error that is left, by ratio of masses and number of sweeps, and the "
                           "sweeps that each ratio takes to 1 %: about 4.6 times the ratio.",
-                   .draw = [run](Page& page) { draw_map(page, *run); },
+                   .draw = [&run](Page& page) { draw_map(page, run); },
                    .key = true});
   return shots;
 }
@@ -206,29 +206,27 @@ void draw_boxes(Page& page, const Camera& camera, const Snapshot& now, double ra
   }
 }
 
-List<Shot> extremes_shots(const ExtremesRun& recorded) {
-  const Run run = std::make_shared<const ExtremesRun>(recorded);
-  const int last = run_of(run->ratios, run->settings.ratio).counted;
-  const QuestionFrame asked{
-      .state = "before the first sweep",
-      .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question", name_of(run->settings.ratio),
-                         name_of(1 / run->settings.ratio)),
-      .scene =
-          [run](Page& page, const Rect& rect) {
-            draw_stacks(page, rect, *run, 0, {"? sweeps", "? sweeps"});
-          },
-      .place = ScenePlace::above};
-  const List<std::string> counts = counts_at(*run, last);
+List<Shot> extremes_shots(const ExtremesRun& run) {
+  const int last = run_of(run.ratios, run.settings.ratio).counted;
+  const QuestionFrame asked{.state = "before the first sweep",
+                            .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question",
+                                               name_of(run.settings.ratio), name_of(1 / run.settings.ratio)),
+                            .scene =
+                                [&run](Page& page, const Rect& rect) {
+                                  draw_stacks(page, rect, run, 0, {"? sweeps", "? sweeps"});
+                                },
+                            .place = ScenePlace::above};
+  const List<std::string> counts = counts_at(run, last);
   const QuestionFrame answered{
       .state = "the answer",
       .alt = fmt::format(
           "Both stacks with their loads found, and their errors sweep by sweep: one is right to 1 % "
           "after {}, the other after {}.",
           counts[0], counts[1]),
-      .scene = [run, last, counts](Page& page, const Rect& rect) {
+      .scene = [&run, last, counts](Page& page, const Rect& rect) {
         const List<Rect> parts = rows(rect, {1, 1}, page.sizes().gap);
-        draw_stacks(page, parts[0], *run, last, counts);
-        draw_errors(page, parts[1], *run, last);
+        draw_stacks(page, parts[0], run, last, counts);
+        draw_errors(page, parts[1], run, last);
       }};
   List<Shot> shots = {question_shot(card(), asked)};
   for (const List<Shot>& part : {ratio_shots(run), wall_shots(run)})

@@ -129,22 +129,22 @@ void draw_wall(Page& page, const ExtremesRun& run, int step) {
   }
 }
 
-Shot wall_shot(const Run& run, int step) {
+Shot wall_shot(const ExtremesRun& run, int step) {
   std::string alt = fmt::format("Eight small worlds after step {}:", step);
-  for (const EdgeCase& edge : run->wall)
+  for (const EdgeCase& edge : run.wall)
     alt += fmt::format(" {}: {};", edge.name, stamp_text(stamp_of(edge, step)));
   alt.back() = '.';
   return {.state = fmt::format("eight worlds · step {}", step),
           .alt = alt,
-          .draw = [run, step](Page& page) { draw_wall(page, *run, step); },
-          .key = step == 3 || step == 10 || step == run->settings.steps};
+          .draw = [&run, step](Page& page) { draw_wall(page, run, step); },
+          .key = step == 3 || step == 10 || step == run.settings.steps};
 }
 
 }  // namespace
 
-List<Shot> wall_shots(const Run& run) {
+List<Shot> wall_shots(const ExtremesRun& run) {
   List<Shot> shots;
-  for (int step = 0; step <= run->settings.steps; ++step) shots.push_back(wall_shot(run, step));
+  for (int step = 0; step <= run.settings.steps; ++step) shots.push_back(wall_shot(run, step));
   return shots;
 }
 

@@ -5,8 +5,6 @@ namespace cairn::needs {
 
 namespace {
 
-using Run = std::shared_ptr<const NeedsRun>;
-
 /// The runs that the question compares, and sleep, have colours of their own.
 Color color_of(const Page& page, int run) {
   const Theme& theme = page.theme();
@@ -87,16 +85,16 @@ void draw_step(Page& page, const NeedsRun& all, int step) {
   draw_course(page, below[1], all, step);
 }
 
-Shot step_shot(const Run& all, int step, bool key) {
-  const StepBill& whole = all->runs[everything].steps[step - 1];
-  const StepBill& together = all->runs[all_free].steps[step - 1];
-  const StepBill& alone = all->runs[by_islands].steps[step - 1];
+Shot step_shot(const NeedsRun& all, int step, bool key) {
+  const StepBill& whole = all.runs[everything].steps[step - 1];
+  const StepBill& together = all.runs[all_free].steps[step - 1];
+  const StepBill& alone = all.runs[by_islands].steps[step - 1];
   return {.state = fmt::format("step {} · {} of {} bodies awake", step, together.awake, whole.awake),
           .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row "
                              "updates: {} with everything, {} if each island ends by itself, {} with all "
                              "switches together.",
                              step, together.awake, whole.updates, alone.updates, together.updates),
-          .draw = [all, step](Page& page) { draw_step(page, *all, step); },
+          .draw = [&all, step](Page& page) { draw_step(page, all, step); },
           .key = key};
 }
 
@@ -164,40 +162,39 @@ std::set<int> key_steps(const NeedsRun& all) {
 
 }  // namespace
 
-List<Shot> needs_shots(const NeedsRun& recorded) {
-  const Run all = std::make_shared<const NeedsRun>(recorded);
+List<Shot> needs_shots(const NeedsRun& all) {
   List<Shot> shots = {
       question_shot(card(), {.state = "before the first step",
                              .alt = "A pyramid, a tower, a chain and a ball in flight, and the question",
                              .scene =
-                                 [all](Page& page, const Rect& rect) {
-                                   draw_scene(page, rect, *all, {.lines = swept_lines(*all, by_islands, 0)});
+                                 [&all](Page& page, const Rect& rect) {
+                                   draw_scene(page, rect, all, {.lines = swept_lines(all, by_islands, 0)});
                                  },
                              .place = ScenePlace::above})};
-  const std::set<int> keys = key_steps(*all);
+  const std::set<int> keys = key_steps(all);
   std::set<int> steps = keys;
-  for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);
+  for (int step = 2; step < all.settings.steps; step += 2) steps.insert(step);
   for (const int step : steps) shots.push_back(step_shot(all, step, keys.contains(step)));
-  shots.push_back({.state = fmt::format("{} steps", all->settings.steps),
+  shots.push_back({.state = fmt::format("{} steps", all.settings.steps),
                    .alt = "A table: what each switch costs in rows and row updates, and how far it is off.",
-                   .draw = [all](Page& page) { draw_table(page, *all); },
+                   .draw = [&all](Page& page) { draw_table(page, all); },
                    .key = true});
-  if (all->touch > 0) {
+  if (all.touch > 0) {
     shots.push_back(
-        {.state = fmt::format("step {}, with and without friction", all->settings.steps),
+        {.state = fmt::format("step {}, with and without friction", all.settings.steps),
          .alt = "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
-         .draw = [all](Page& page) { draw_ruin(page, *all); },
+         .draw = [&all](Page& page) { draw_ruin(page, all); },
          .key = true});
   }
-  const auto draw_answer = [all](Page& page, const Rect& rect) {
+  const auto draw_answer = [&all](Page& page, const Rect& rect) {
     const List<Rect> parts = rows(rect, {0.45, 0.55}, page.sizes().gap);
-    draw_scene(page, parts[0], *all,
+    draw_scene(page, parts[0], all,
                {.title = "exit by island: row updates a step, on average",
-                .step = all->settings.steps,
-                .lines = mean_lines(*all)});
-    draw_shares(page, parts[1], *all);
+                .step = all.settings.steps,
+                .lines = mean_lines(all)});
+    draw_shares(page, parts[1], all);
   };
-  const std::string answer = answer_text(*all);
+  const std::string answer = answer_text(all);
   shots.push_back(answer_shot(
       card(),
       {.state = "the answer",
