@@ -37,16 +37,14 @@ TableView state_table(const Throw& thrown) {
 
 /// Left the scene, right two parts.
 List<Rect> layout_of(const Page& page, double upper) {
-  const List<Rect> halves = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
-  return {halves[0], right[0], right[1]};
+  return in_columns(page, {0.62, {0.38, {upper, 1 - upper}}});
 }
 
 void draw_state(Page& page, const Story& story) {
   const List<Rect> parts = layout_of(page, 0.36);
   draw_scene(page, parts[0], story, {});
   page.table(parts[1], "three numbers, and their rates, eq (1)", state_table(story.flight.thrown));
-  const List<Rect> below = rows(parts[2], {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> below = in_rows(page, parts[2], {0.62, 0.38});
   const Rect inside = page.panel(below[0], "M⁻¹, eq (2): 1/kg, 1/kg, 1/(kg m²)");
   draw_matrix(page, {inside.x + 0.25 * inside.width, inside.y, 0.75 * inside.width, inside.height},
               {.values = story.flight.inverse_mass.asDiagonal(),
@@ -99,7 +97,7 @@ void draw_order(Page& page, const Rect& rect, const Story& story) {
 }
 
 void draw_convergence(Page& page, const Story& story) {
-  const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, 0.44});
   draw_order(page, parts[0], story);
   Rect rest = page.card(
       parts[1], "order one",
@@ -109,7 +107,7 @@ void draw_convergence(Page& page, const Story& story) {
   for (int i = 0; i < c.dt.size(); ++i)
     table.rows.push_back({significant(c.dt[i]), fixed(c.semi_implicit[i], 4, Sign::always),
                           fixed(c.explicit_euler[i], 4, Sign::always)});
-  const List<Rect> below = rows(rest, {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> below = in_rows(page, rest, {0.58, 0.42});
   page.table(below[0], "", table);
   const Throw& thrown = story.flight.thrown;
   const double time = story.flight.time.back();

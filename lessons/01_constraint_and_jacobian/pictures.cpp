@@ -13,9 +13,9 @@ std::string components(const Vec3<double>& v) {
 
 /// Left the scene; returns the two parts on the right.
 List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double upper) {
-  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
-  draw_rod(page, halves[0], rod, look);
-  return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.48, {0.52, {upper, 1 - upper}}});
+  draw_rod(page, parts[0], rod, look);
+  return {parts[1], parts[2]};
 }
 
 void draw_where(Page& page, const Story& story) {
@@ -45,7 +45,7 @@ void draw_jacobian(Page& page, const Story& story) {
   const Rod& rod = story.rod;
   const List<Rect> parts =
       draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.24);
-  const List<Rect> below = rows(parts[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> below = in_rows(page, parts[1], {0.5, 0.5});
   const MatrixView view{.values = rod.jacobian.transpose(), .column_names = {"x", "y", "θ"}};
   const Rect inside = page.panel(parts[0], "j: one row, three numbers for the box");
   draw_matrix(page, {inside.x + 0.3 * inside.width, inside.y, 0.7 * inside.width, inside.height}, view);
@@ -152,7 +152,7 @@ void draw_force(Page& page, const Story& story) {
 }
 
 void draw_differences(Page& page, const Story& story) {
-  const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, 0.44});
   const List<Quotient>& all = story.rod.quotients;
   const double factor = all[2].error / (all[2].h * all[2].h);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();

@@ -8,9 +8,9 @@ namespace {
 
 /// Left the box; returns the two parts on the right.
 List<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegLook& look, double upper) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  draw_push(page, halves[0], all, push, look);
-  return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.44, {0.56, {upper, 1 - upper}}});
+  draw_push(page, parts[0], all, push, look);
+  return {parts[1], parts[2]};
 }
 
 /// The places with what was found at each, as far as it is known.
@@ -34,7 +34,7 @@ QuestionFrame frame_of(const Pushes& all, const std::string& state, const std::s
           .alt = alt,
           .scene =
               [&all, look](Page& page, const Rect& rect) {
-                const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
+                const List<Rect> panels = in_columns(page, rect, {1, 1, 1});
                 for (int i = 0; i < panels.size(); ++i) draw_push(page, panels[i], all, all.at[i], look);
               },
           .place = ScenePlace::above};
@@ -123,7 +123,7 @@ Series curve_of_places(const Page& page, const Pushes& all) {
 }
 
 void draw_here(Page& page, const Pushes& all) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+  const List<Rect> halves = in_columns(page, {0.44, 0.56});
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
   Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
   Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
@@ -139,13 +139,13 @@ void draw_here(Page& page, const Pushes& all) {
 }
 
 void draw_this_way(Page& page, const Pushes& all) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = in_columns(page, {0.5, 0.5});
   draw_push(page, halves[0], all, all.at[0], {.directions = true});
   draw_push(page, halves[1], all, all.at[2], {.directions = true});
 }
 
 void draw_others(Page& page, const Pushes& all) {
-  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.48, 0.52}}});
   const double m = all.settings.mass;
   Plot plot{.title = "effective mass of box and peg, below the centre (kg)"};
   Series curve{.style = {.color = page.theme().normal}, .markers = false};
@@ -168,14 +168,13 @@ void draw_others(Page& page, const Pushes& all) {
   plot.goals.push_back({m, "the box alone"});
   plot.x = {.title = "mass of the peg (kg)", .scale = AxisScale::logarithmic};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .max = 3 * m};
-  draw_plot(page, halves[0], plot);
-  const List<Rect> parts = rows(halves[1], {0.48, 0.52}, page.sizes().gap);
-  page.equation(parts[0],
+  draw_plot(page, parts[0], plot);
+  page.equation(parts[1],
                 {.number = "two bodies that can move",
                  .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
                  .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
                  .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
-  page.table(parts[1], "what the box meets", table);
+  page.table(parts[2], "what the box meets", table);
 }
 
 Shot shot(const Pushes& all, const std::string& state, const std::string& alt,

@@ -81,13 +81,11 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
 }
 
 void draw_ball_step(Page& page, const DriftRuns& all, int step) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.64, 0.36}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  draw_balls(page, left[0], all, {.step = step});
-  draw_ball_table(page, left[1], all, step);
-  draw_heights(page, right[0], all, step);
-  page.equation(right[1], equation_of(page, all, step));
+  const List<Rect> parts = in_columns(page, {{0.5, {0.64, 0.36}}, {0.5, {0.64, 0.36}}});
+  draw_balls(page, parts[0], all, {.step = step});
+  draw_ball_table(page, parts[1], all, step);
+  draw_heights(page, parts[2], all, step);
+  page.equation(parts[3], equation_of(page, all, step));
 }
 
 Shot ball_shot(const DriftRuns& all, int step, bool key) {
@@ -105,7 +103,7 @@ Shot ball_shot(const DriftRuns& all, int step, bool key) {
 
 /// The largest depth that is held, by formula and by bisection.
 void draw_limits(Page& page, const DriftRuns& all) {
-  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.62, 0.38});
   Plot plot{.title = "how deep a ball may begin so that the ground still pushes in step 2 (mm)"};
   plot.x = {.title = "β", .scale = AxisScale::logarithmic, .min = 0.09, .max = 1.1};
   plot.y = {.title = "", .scale = AxisScale::logarithmic};

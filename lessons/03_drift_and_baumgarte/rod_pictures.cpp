@@ -58,9 +58,8 @@ void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int s
 }
 
 void draw_swing(Page& page, const DriftRuns& all, int step) {
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<double> weights(all.swings.size(), 1.0);
-  const List<Rect> panels = columns(parts[0], weights, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.5, 0.5});
+  const List<Rect> panels = in_columns(page, parts[0], List<Cut>(all.swings.size(), 1.0));
   for (int i = 0; i < all.swings.size(); ++i) draw_pendulum(page, panels[i], all, all.swings[i], step);
   draw_swing_errors(page, parts[1], all, step);
 }
@@ -112,9 +111,8 @@ void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
 }
 
 void draw_hang(Page& page, const DriftRuns& all, int step) {
-  const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
-  draw_weights(page, halves[0], all, step);
-  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.42, {0.58, {0.64, 0.36}}});
+  draw_weights(page, parts[0], all, step);
   Plot plot{.title = "how far above its place each weight is: −c (mm)"};
   plot.x = {.title = "step", .min = 0, .max = hang_steps};
   plot.y = {.title = "", .min = -350, .max = 350};
@@ -124,9 +122,9 @@ void draw_hang(Page& page, const DriftRuns& all, int step) {
     plot.series.push_back(over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta), heights));
     plot.series.back().markers = false;
   }
-  draw_plot(page, right[0], plot);
+  draw_plot(page, parts[1], plot);
   const RodRun& run = hang_of(all, all.settings.beta);
-  page.equation(right[1], {.number = fmt::format("eq (7), β = {:g}", run.beta),
+  page.equation(parts[2], {.number = fmt::format("eq (7), β = {:g}", run.beta),
                            .symbols = "c ← c + ζ Δt = (1 − β) c",
                            .numbers = fmt::format("= (1 − {:g}) × {} mm", run.beta,
                                                   fixed(1000 * run.error[step - 1], 2)),

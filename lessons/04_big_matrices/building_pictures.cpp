@@ -23,10 +23,9 @@ MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
 
 void draw_masses(Page& page, const StackRun& run) {
   const int n = run.boxes();
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.velocity = run.system.velocity});
-  const List<Rect> right = rows(halves[1], {0.78, 0.22}, page.sizes().gap);
-  draw_product(page, right[0],
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.78, 0.22}}});
+  draw_stack(page, parts[0], run, {.velocity = run.system.velocity});
+  draw_product(page, parts[1],
                {{.title = "v_{1}", .values = run.system.velocity, .row_names = column_names(n)},
                 {.title = "M^{−1}: 1/m, 1/m, 1/I of each box",
                  .values = run.system.inverse_mass.asDiagonal(),
@@ -34,21 +33,20 @@ void draw_masses(Page& page, const StackRun& run) {
                  .column_group = 3,
                  .colors = MatrixColors::magnitude}},
                {""});
-  page.note(right[1], "(1) and (2)",
+  page.note(parts[2], "(1) and (2)",
             "Three numbers for each box: how fast it moves to the right, how fast it moves up, and how fast "
             "it turns. "
             "The ground is left out.");
 }
 
 void draw_row(Page& page, const StackRun& run, int row) {
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.contact = row, .velocity = run.system.velocity});
-  const List<Rect> right = rows(halves[1], {0.46, 0.54}, page.sizes().gap);
-  draw_product(page, right[0], {view_of_J(run, row + 1, row)}, {});
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.46, 0.54}}});
+  draw_stack(page, parts[0], run, {.contact = row, .velocity = run.system.velocity});
+  draw_product(page, parts[1], {view_of_J(run, row + 1, row)}, {});
   const double v = run.system.velocity(1);
   const std::string below = row > 0 ? fmt::format("−1 × {} + ", in_brackets(fixed(v, 3))) : "";
   page.equation(
-      right[1],
+      parts[2],
       {.number = "eq (5)",
        .symbols =
            row > 0 ? fmt::format("j_{{{0}}}·v = −v_{{y{1}}} + v_{{y{0}}}", row + 1, row) : "j_{1}·v = v_{y1}",
@@ -71,11 +69,9 @@ List<Entry> entries_after(const StackRun& run, const Entry& last) {
 
 /// Left the stack; returns the upper part at the right, and two below it.
 List<Rect> lay_out_building(Page& page, const StackRun& run, const StackView& stack, double left) {
-  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
-  draw_stack(page, halves[0], run, stack);
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  const List<Rect> below = columns(right[1], {left, 1 - left}, page.sizes().gap);
-  return {right[0], below[0], below[1]};
+  const List<Rect> parts = in_columns(page, {0.36, {0.64, {0.42, {0.58, {left, 1 - left}}}}});
+  draw_stack(page, parts[0], run, stack);
+  return {parts[1], parts[2], parts[3]};
 }
 
 /// "1 × 1 × (−1) + 0 × 1 × 1": one product for each box that is in either row; only y is not 0.

@@ -56,7 +56,7 @@ void draw_bracket(Page& page, const Camera& camera, int row, bool left) {
 
 /// The stack that stands, and below it λ as the first column of the inverse, times the one number of b.
 void draw_answer(Page& page, const Rect& rect, const StackRun& run) {
-  const List<Rect> parts = rows(rect, {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rect, {0.55, 0.45});
   draw_stack(page, parts[0], run, {.known = run.boxes(), .velocity = run.velocity});
   const List<std::string> names = row_names(run.boxes());
   draw_product(page, parts[1],

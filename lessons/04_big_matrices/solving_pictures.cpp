@@ -16,15 +16,14 @@ std::string row_in_numbers(const Eigen::MatrixXd& stage, int row, double factor)
 }
 
 void draw_elimination(Page& page, const StackRun& run, int row) {
-  const List<Rect> halves = columns(page.area(), {0.3, 0.7}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.contact = row});
-  const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.3, {0.7, {0.52, 0.48}}});
+  draw_stack(page, parts[0], run, {.contact = row});
   const Eigen::MatrixXd &before = run.stages[row - 1], &after = run.stages[row];
   List<MatrixView> both = system_views(run, before, row);
   for (const MatrixView& view : system_views(run, after, row)) both.push_back(view);
-  draw_product(page, right[0], both, {"λ =", "→", "λ ="});
+  draw_product(page, parts[1], both, {"λ =", "→", "λ ="});
   const double factor = before(row, row - 1) / before(row - 1, row - 1);
-  page.equation(right[1],
+  page.equation(parts[2],
                 {.number = fmt::format("row {} loses its λ_{{{}}}", row + 1, row),
                  .symbols = fmt::format("row {} − {} × row {}", row + 1, in_brackets(brief(factor)), row),
                  .numbers = fmt::format("= {} + {}", row_in_numbers(before, row, 1),
@@ -35,10 +34,9 @@ void draw_elimination(Page& page, const StackRun& run, int row) {
 
 void draw_back(Page& page, const StackRun& run, int row) {
   const int n = run.boxes();
-  const List<Rect> halves = columns(page.area(), {0.38, 0.62}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.contact = row, .known = n - row});
-  const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
-  draw_product(page, right[0], system_views(run, run.stages.back(), row), {"λ ="});
+  const List<Rect> parts = in_columns(page, {0.38, {0.62, {0.52, 0.48}}});
+  draw_stack(page, parts[0], run, {.contact = row, .known = n - row});
+  draw_product(page, parts[1], system_views(run, run.stages.back(), row), {"λ ="});
   const Eigen::MatrixXd& last = run.stages.back();
   const std::string pivot = brief(last(row, row));
   const bool is_last = row + 1 == n;
@@ -50,7 +48,7 @@ void draw_back(Page& page, const StackRun& run, int row) {
       is_last ? fmt::format("= {} / {}", brief(last(row, n)), pivot)
               : fmt::format("= ({} − {} × {}) / {}", brief(last(row, n)),
                             in_brackets(brief(last(row, row + 1))), brief(run.lambda(row + 1)), pivot);
-  page.equation(right[1], {.number = "eq (14)",
+  page.equation(parts[2], {.number = "eq (14)",
                            .symbols = symbols,
                            .numbers = numbers,
                            .result = fmt::format("= {} N", brief(run.lambda(row))),
@@ -59,9 +57,8 @@ void draw_back(Page& page, const StackRun& run, int row) {
 
 void draw_velocities(Page& page, const StackRun& run) {
   const int n = run.boxes();
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.known = n, .velocity = run.velocity});
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.42, 0.58}}});
+  draw_stack(page, parts[0], run, {.known = n, .velocity = run.velocity});
   TableView table;
   table.header = {"box", "v_{1} (m/s)", "from below (N)", "from above (N)", "v_{2} (m/s)"};
   for (int i = n - 1; i >= 0; --i) {
@@ -70,9 +67,9 @@ void draw_velocities(Page& page, const StackRun& run) {
                           fixed(run.velocity(3 * i + 1) + 0.0, 3)});
   }
   table.active_row = n - 1;
-  page.table(right[0], "M^{−1} J^{T} λ Δt, box by box", table);
+  page.table(parts[1], "M^{−1} J^{T} λ Δt, box by box", table);
   page.equation(
-      right[1],
+      parts[2],
       {.number = "eq (12), box 1",
        .symbols = "v_{2} = v_{1} + (λ_{1} − λ_{2}) Δt / m",
        .numbers = fmt::format("= {} + ({} − {}) × {}", fixed(run.system.velocity(1), 3),
@@ -83,10 +80,9 @@ void draw_velocities(Page& page, const StackRun& run) {
 }
 
 void draw_without_gravity(Page& page, const StackRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.velocity = run.velocity_without});
-  const List<Rect> right = rows(halves[1], {0.4, 0.25, 0.35}, page.sizes().gap);
-  page.note(right[0], "A trap",
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.4, 0.25, 0.35}}});
+  draw_stack(page, parts[0], run, {.velocity = run.velocity_without});
+  page.note(parts[1], "A trap",
             "(12) has no force in it but those of the rows. If v_{1} is the velocity of a "
             "stack at rest, and gravity comes afterwards, b does not know of it: no contact "
             "carries any weight, and the stack falls.");
@@ -97,16 +93,16 @@ void draw_without_gravity(Page& page, const StackRun& run) {
       {"before b", brief(run.system.b(0)), fixed(run.lambda(0), 2), fixed(run.velocity(1) + 0.0, 3)},
       {"after", brief(b), fixed(run.lambda_without(0) + 0.0, 2), fixed(run.velocity_without(1), 3)}};
   table.active_row = 1;
-  page.table(right[1], "the lowest box", table);
+  page.table(parts[2], "the lowest box", table);
   const std::string dt = brief(run.settings.dt);
-  page.equation(right[2], {.number = "eq (15), at rest",
+  page.equation(parts[3], {.number = "eq (15), at rest",
                            .symbols = "b_{1} = ζ/Δt − j_{1}·v_{1}/Δt",
                            .numbers = fmt::format("= {}/{} − 0/{}", brief(run.system.zeta(0)), dt, dt),
                            .result = fmt::format("= {} m/s²", brief(b))});
 }
 
 void draw_growth(Page& page, const StackRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.6, 0.4});
   const Theme& theme = page.theme();
   Plot plot{.title = "numbers in J and A, multiplications of an elimination"};
   plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 400};

@@ -26,19 +26,17 @@ void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
 
 /// Stack left, matrix and bars at the top right; returns what is free below them.
 Rect draw_moment(Page& page, const SweepRun& run, int k) {
-  const List<Rect> halves = columns(page.area(), {0.34, 0.66}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.34, {0.66, {{0.58, {0.4, 0.6}}, 0.42}}});
   const int active = run.stack.up.updates[k].row;
   const PerRow<double>& lambda = run.stack.up.after[k];
-  draw_stack_panel(page, page.panel(halves[0], "pushes up and down (N)"),
+  draw_stack_panel(page, page.panel(parts[0], "pushes up and down (N)"),
                    {.stack = run.stack.snapshot,
                     .lambda = {lambda.begin(), lambda.end()},
                     .active = active,
                     .largest_lambda = run.stack.exact[0]});
-  const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
-  const List<Rect> top = columns(right[0], {0.4, 0.6}, page.sizes().gap);
-  draw_system(page, top[0], run.stack.system, active);
-  draw_lambda(page, top[1], run, k);
-  return right[1];
+  draw_system(page, parts[1], run.stack.system, active);
+  draw_lambda(page, parts[2], run, k);
+  return parts[3];
 }
 
 void draw_update(Page& page, const SweepRun& run, int k) {
@@ -69,7 +67,7 @@ TableView shares_left(int boxes) {
 }
 
 void draw_errors(Page& page, const SweepRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.6, {0.4, {0.52, 0.48}}});
   const StackRun& stack = run.stack;
   const int top = stack.exact.size() - 1;
   const std::string name = fmt::format("λ_{{{}}}", top + 1);
@@ -86,12 +84,11 @@ void draw_errors(Page& page, const SweepRun& run) {
   plot.series[1].style.marker = Marker::triangle;
   plot.series[2].style = page.theme().pgs;
   draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
-  page.note(right[0], "How the error shrinks",
+  page.note(parts[1], "How the error shrinks",
             "Only row 1 has b ≠ 0. If the sweeps go from the ground up, the first one carries that to the "
             "top. If they go from the top down, it climbs one contact a sweep. Then a sweep leaves "
             "ρ = cos²(π/2n) of every error.");
-  page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes));
+  page.table(parts[2], "what a sweep leaves", shares_left(run.settings.boxes));
 }
 
 Color color_of(const Theme& theme, const Bounds<double>& bounds) {
@@ -142,7 +139,7 @@ void draw_intervals(Page& page) {
   const List<double> weights(kinds.size(), 1.0);
   const List<Rect> lines = rows(inside, weights, page.sizes().gap / 2);
   for (int k = 0; k < kinds.size(); ++k) {
-    const List<Rect> parts = columns(lines[k], {0.34, 0.66}, page.sizes().gap);
+    const List<Rect> parts = in_columns(page, lines[k], {0.34, 0.66});
     const Rect& words = parts[0];
     TextStyle name = page.label(), reason = page.secondary();
     name.size *= 1.35, name.bold = true, reason.size *= 1.12;

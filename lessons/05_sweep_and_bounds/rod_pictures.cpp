@@ -120,11 +120,10 @@ bool is_cut(const RowUpdate<double>& update) { return update.impulse_before + up
 
 /// Rod at the top left, plane right; returns what is free below the rod.
 Rect draw_rod_moment(Page& page, const SweepRun& run, const RodScene& shown, const PlaneView& view) {
-  const List<Rect> halves = columns(page.area(), {0.57, 0.43}, page.sizes().gap);
-  draw_plane(page, halves[1], run, view);
-  const List<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
-  draw_rod(page, left[0], run, shown);
-  return left[1];
+  const List<Rect> parts = in_columns(page, {{0.57, {0.54, 0.46}}, 0.43});
+  draw_plane(page, parts[2], run, view);
+  draw_rod(page, parts[0], run, shown);
+  return parts[1];
 }
 
 /// So many updates of the solve without the clamp as can be told apart.
@@ -134,7 +133,7 @@ void draw_unbounded(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
   const PlaneView view{.other = way_of(rod.unbounded, visible_updates(rod))};
   const Rect rest = draw_rod_moment(page, run, {.lambda = rod.statics}, view);
-  const List<Rect> parts = columns(rest, {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, rest, {0.42, 0.58});
   draw_system(page, parts[0], rod.system, -1);
   page.equation(parts[1],
                 {.number = "eq (14), no bounds",
@@ -185,7 +184,7 @@ void draw_complement(Page& page, const SweepRun& run) {
     table.rows.push_back({fmt::format("{}", i + 1), brief(lambda), brief(rod.leaving[i]), "0"});
   }
   table.active_row = rod.tips() ? 0 : -1;
-  const List<Rect> parts = rows(rest, {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rest, {0.56, 0.44});
   page.table(parts[0], "A contact pushes, or it opens; never both", table);
   page.note(parts[1], "",
             "The ellipses are level curves of ½ λ·A λ − b·λ. The answer is the lowest point of that function "

@@ -91,13 +91,12 @@ TableView algorithm_1(const StackRun& run, const Moment& moment) {
 
 void draw_update(Page& page, const StackRun& run, int update) {
   const Moment moment = moment_after(run, update);
-  const List<Rect> parts = columns(page.area(), {0.48, 0.5}, page.sizes().gap);
-  draw_stack(page, parts[0], run, moment);
   const double bars = run.settings.boxes > 6 ? 0.7 : 0.38;  // or their names were too small
-  const List<Rect> panels = rows(parts[1], {bars, 0.29, 0.33}, page.sizes().gap);
-  draw_bars(page, panels[0], lambda_bars(run, moment));
-  page.equation(panels[1], equation_22(page, run, moment));
-  page.table(panels[2], "", algorithm_1(run, moment));
+  const List<Rect> parts = in_columns(page, {0.48, {0.5, {bars, 0.29, 0.33}}});
+  draw_stack(page, parts[0], run, moment);
+  draw_bars(page, parts[1], lambda_bars(run, moment));
+  page.equation(parts[2], equation_22(page, run, moment));
+  page.table(parts[3], "", algorithm_1(run, moment));
 }
 
 /// The lowest, the middle and the uppermost box over the sweeps.
@@ -124,7 +123,7 @@ Plot speeds(const Page& page, const StackRun& run) {
 }
 
 void draw_course(Page& page, const StackRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.5, 0.5});
   Plot lambda = course(run, "λ (N) of each contact; dashed: exact", "λ", page.theme().normal,
                        [&run](int sweep) { return lambda_after(run, sweep); });
   for (const double exact : run.exact) lambda.goals.push_back({.y = exact});
@@ -181,7 +180,8 @@ List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
   List<Shot> shots = {question_shot(
       card(),
       {.state = "before the first sweep",
-       .alt = "Three stacked boxes, the uppermost a heavy one, all falling at the same speed, and the question.",
+       .alt =
+           "Three stacked boxes, the uppermost a heavy one, all falling at the same speed, and the question.",
        .scene = scene_after(0)})};
   for (int i = 0; i < run.updates.size(); ++i) shots.push_back(update_shot(run, i));
   shots.push_back({.state = fmt::format("all {} sweeps", run.settings.sweeps),

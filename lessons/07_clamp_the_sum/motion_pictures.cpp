@@ -37,10 +37,9 @@ Series heights(const Page& page, const List<Snapshot>& motion, Clamped clamped) 
 }
 
 void draw_step(Page& page, const FeetRun& run, int step) {
-  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_motion(page, top[0], run.hop, step, Clamped::increment);
-  draw_motion(page, top[1], run.still, step, Clamped::sum);
+  const List<Rect> parts = in_rows(page, {{0.56, {0.5, 0.5}}, 0.44});
+  draw_motion(page, parts[0], run.hop, step, Clamped::increment);
+  draw_motion(page, parts[1], run.still, step, Clamped::sum);
   Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
                                  fixed(1000 * run.hop_height, 0))};
   plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
@@ -51,11 +50,11 @@ void draw_step(Page& page, const FeetRun& run, int step) {
   const int settled = 3 * motion_steps / 4;
   if (std::abs(run.hop[settled].bodies[{1}].pose.angle) > 1)
     plot.labels = {{settled * time_step, hop[settled], "the box lies on its side"}};
-  draw_plot(page, parts[1], plot);
+  draw_plot(page, parts[2], plot);
 }
 
 void draw_spread(Page& page, const FeetRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.64, 0.36}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.64, {0.36, {0.55, 0.45}}});
   Series foot{.style = style_of(page.theme(), Clamped::increment)};
   Series box = foot;
   box.style.marker = Marker::circle;
@@ -83,19 +82,18 @@ void draw_spread(Page& page, const FeetRun& run) {
                  {sum.x[peak], 0, "the sum clamped: nothing rises"}};
   plot.cursor = harmless_distance();
   draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
-  page.note(right[0], "Where the mistake does not show",
+  page.note(parts[1], "Where the mistake does not show",
             "Right of the vertical line A_{12} ≤ 0: a push at one foot makes the other one sink. "
             "No foot has to take anything back, and both clamps do the same.");
-  page.equation(right[1], {.number = "A_{12} = 1/m − r²/I = 0",
+  page.equation(parts[2], {.number = "A_{12} = 1/m − r²/I = 0",
                            .symbols = "r = √(I/m)",
                            .numbers = fmt::format("= √({:g}/{:g})", box_inertia, box_mass),
                            .result = fmt::format("= {} m", fixed(harmless_distance(), 3))});
 }
 
 void draw_side(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.62, {0.38, {0.55, 0.45}}});
+  const List<Rect> top = in_columns(page, parts[0], {1, 1});
   double largest = 0;
   for (const Landing& landing : run.side.landings) largest = std::max(largest, landing.impulse[0]);
   int at = 0;
@@ -123,9 +121,8 @@ void draw_side(Page& page, const FeetRun& run) {
                           fixed(rise, 2, Sign::always), fixed(landing.energy(), 1)});
   }
   table.active_row = 2;
-  const List<Rect> below = columns(parts[1], {0.55, 0.45}, page.sizes().gap);
-  page.table(below[0], "", table);
-  page.note(below[1], "Clamped too late",
+  page.table(parts[1], "", table);
+  page.note(parts[2], "Clamped too late",
             "Without a clamp, foot 2 pulls, and foot 1 pushes against that. When the pull "
             "is cut off at the end, foot 1 still pushes: the box is thrown up.");
 }

@@ -98,11 +98,11 @@ BoxView view_after(const BoxRun& box, double speed, const Landing& landing, int 
 }
 
 void draw_visit(Page& page, const FeetRun& run, int k) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = in_columns(page, {0.5, 0.5});
   int at = 0;
   for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
     const Landing& landing = run.middle.by(clamped);
-    const List<Rect> parts = rows(halves[at++], {0.44, 0.24, 0.32}, page.sizes().gap);
+    const List<Rect> parts = in_rows(page, halves[at++], {0.44, 0.24, 0.32});
     draw_box(page, clamp_panel(page, parts[0], clamped), run.middle, largest_of(run),
              view_after(run.middle, run.settings.speed, landing, k));
     draw_sums(page, parts[1], run, landing, k);
@@ -129,7 +129,7 @@ QuestionFrame answer_frame(const FeetRun& run) {
               "The second visit of the left foot: with each push clamped nothing is taken back, with the "
               "sum clamped a part of the first push; and the answer.",
           .scene = [&run](Page& page, const Rect& rect) {
-            const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
+            const List<Rect> parts = in_rows(page, rect, {0.5, 0.5});
             int at = 0;
             for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
               draw_box(page, clamp_panel(page, parts[at++], clamped), run.middle, largest_of(run),

@@ -29,16 +29,14 @@ std::string reads(const TwiceRun& run, int row) {
 }
 
 void draw_row(Page& page, const TwiceRun& run, int row) {
-  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.76, 0.24}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
-  draw_system(page, left[0], run, row);
-  page.note(left[1], "", reads(run, row));
-  draw_pairs(page, right[0], after_row(run, row), range_of(run));
+  const List<Rect> parts = in_columns(page, {{0.36, {0.76, 0.24}}, {0.64, {0.56, 0.44}}});
+  draw_system(page, parts[0], run, row);
+  page.note(parts[1], "", reads(run, row));
+  draw_pairs(page, parts[2], after_row(run, row), range_of(run));
   const RowStep& step = run.steps[row];
   const auto digits = [](double value) { return all_digits(value, 17); };
   const std::string clamped = step.si == step.by_27 ? "" : "; clamped to 0";
-  draw_digits(page, right[1],
+  draw_digits(page, parts[3],
               fmt::format("the λ of row {} before clamping, computed in three ways (N)", row + 1),
               {{"(27) SI: from v", digits(step.by_27)},
                {"(29) in between", digits(step.by_29)},
@@ -47,37 +45,34 @@ void draw_row(Page& page, const TwiceRun& run, int row) {
 }
 
 void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
-  const List<Rect> panels = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  draw_pairs(page, panels[0], {.pgs = run.pgs[sweep], .si = run.si[sweep]}, range_of(run));
+  const List<Rect> parts = in_rows(page, {0.6, {0.4, {0.6, 0.4}}});
+  draw_pairs(page, parts[0], {.pgs = run.pgs[sweep], .si = run.si[sweep]}, range_of(run));
   TableView table;
   table.header = {"precision", "largest |λ_{PGS} − λ_{SI}|", "of the largest λ"};
   for (const PrecisionRun& precision : run.precisions) {
     const double difference = precision.difference[sweep];
     table.rows.push_back({precision.name, power(difference) + " N", power(difference / precision.scale)});
   }
-  const List<Rect> below = columns(panels[1], {0.6, 0.4}, page.sizes().gap);
-  page.table(below[0], fmt::format("after sweep {}", sweep), table);
+  page.table(parts[1], fmt::format("after sweep {}", sweep), table);
   const auto spacings = [&](int p) {
     const PrecisionRun& precision = run.precisions[p];
     return fixed(precision.difference[sweep] / precision.scale / precision.epsilon, 0);
   };
-  page.note(below[1], "",
+  page.note(parts[2], "",
             fmt::format("{} updates, and the two have parted by {}, {} and {} spacings ε of their numbers.",
                         sweep * run.problem.row_count(), spacings(0), spacings(1), spacings(2)));
 }
 
 /// The two stories: what each solver looks at in one update.
 void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
-  const List<Rect> parts = rows(rect, {0.38, 0.3, 0.32}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.66, 0.34}, page.sizes().gap);
-  page.equation(top[0], {.number = "PGS: a row of A, and all other λ",
-                         .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
-  draw_system(page, top[1], run, 6);
-  const List<Rect> middle = columns(parts[1], {0.66, 0.34}, page.sizes().gap);
-  page.equation(middle[0], {.number = "SI: two bodies, and a push at once",
-                            .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
-  draw_two_bodies(page, middle[1]);
-  draw_digits(page, parts[2], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),
+  const List<Rect> parts = in_rows(page, rect, {{0.38, {0.66, 0.34}}, {0.3, {0.66, 0.34}}, 0.32});
+  page.equation(parts[0], {.number = "PGS: a row of A, and all other λ",
+                           .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
+  draw_system(page, parts[1], run, 6);
+  page.equation(parts[2], {.number = "SI: two bodies, and a push at once",
+                           .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
+  draw_two_bodies(page, parts[3]);
+  draw_digits(page, parts[4], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),
               {{"PGS", "??.???????"}, {"SI", "??.???????"}}, "How many digits are the same?");
 }
 
@@ -123,7 +118,7 @@ Shot sweep_shot(const TwiceRun& run, int sweep) {
 
 /// Where the digits part in two precisions, and how the difference goes on.
 void draw_answer(Page& page, const Rect& rect, const TwiceRun& run) {
-  const List<Rect> parts = rows(rect, {0.23, 0.23, 0.54}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rect, {0.23, 0.23, 0.54});
   for (int p = 0; p < 2; ++p) {
     const PrecisionRun& precision = run.precisions[p];
     draw_digits(page, parts[p],

@@ -19,7 +19,7 @@ Series error_series(const List<List<double>>& loads, double weight, double bound
 }
 
 void draw_errors(Page& page, const WarmStart& all) {
-  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.62, 0.38});
   const StartSettings& settings = all.settings;
   const double share = share_left(settings.boxes, settings.sweeps);
   Series cold = error_series(all.cold.loads, settings.weight(), share);
@@ -48,7 +48,7 @@ void draw_errors(Page& page, const WarmStart& all) {
 }
 
 void draw_cold_sweeps(Page& page, const WarmStart& all) {
-  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.62, {0.38, {0.42, 0.58}}});
   const Color color = page.theme().outline;
   const FixedList<SeriesStyle, 4> styles = {{{color, {2, 5}, Marker::diamond},
                                              {color, {10, 5, 2, 5}, Marker::triangle},
@@ -67,14 +67,13 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
   }
   plot.goals.push_back({wanted_error, "1 %"});
   draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.42, 0.58}, page.sizes().gap);
   TableView table{.header = {"boxes n", "sweeps to 1 %", "formula"}};
   for (const ColdSweeps& cold : all.sweeps) {
     table.rows.push_back({fmt::format("{}", cold.boxes), fmt::format("{}", cold.needed),
                           fixed(needed_by_formula(cold.boxes), 1)});
   }
-  page.table(right[0], "", table);
-  page.card(right[1], "",
+  page.table(parts[1], "", table);
+  page.card(parts[2], "",
             "The error spreads like heat along a rod: twice the length takes four times the "
             "time. So twice the height takes four times the sweeps.");
 }
@@ -110,16 +109,15 @@ void draw_found(Page& page, const Rect& rect, const WarmStart& all) {
 }
 
 void draw_reversed(Page& page, const WarmStart& all) {
-  const List<Rect> parts = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {0.36, 0.32, 0.32}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {{0.74, {0.36, 0.32, 0.32}}, 0.26});
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const ReversedStep& step = all.reversed;
-  draw_found(page, panels[0], all);
-  draw_guess(page, panels[1], all, styles[2], step.by_number, step.velocity_by_number);
-  draw_guess(page, panels[2], all, styles[1], step.by_key, step.velocity_by_key);
+  draw_found(page, parts[0], all);
+  draw_guess(page, parts[1], all, styles[2], step.by_number, step.velocity_by_number);
+  draw_guess(page, parts[2], all, styles[1], step.by_key, step.velocity_by_key);
   double after = 0;
   for (const double v : step.velocity_after) after = std::max(after, std::abs(v));
-  page.note(parts[1], "",
+  page.note(parts[3], "",
             fmt::format("The last step found the contacts from the ground up, this one from the top "
                         "down. By number, every contact gets the impulse of another one: the top box "
                         "is thrown up at {:.1f} m/s before the first sweep, and {:.2f} m/s are left after "
@@ -139,7 +137,7 @@ int worst_guest_step(const WarmStart& all) {
 }
 
 void draw_guest(Page& page, const WarmStart& all) {
-  const List<Rect> parts = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.36, {0.64, {0.68, 0.32}}});
   const int step = worst_guest_step(all);
   const Rect inside = page.panel(parts[0], "");
   const Camera camera = fit(inside, {{-2.4, -0.6}, {1.2, all.settings.boxes + 0.4}});
@@ -148,7 +146,6 @@ void draw_guest(Page& page, const WarmStart& all) {
   look.penetration = false;
   look.numbers = false;
   draw_world(page, camera, all.guest.frames[step], look);
-  const List<Rect> right = rows(parts[1], {0.68, 0.32}, page.sizes().gap);
   Plot plot{.title = "load λ_{1} on the lowest box (N)"};
   const int first = all.guest.by_key.size() / 4;  // once the first swings are over
   plot.x = {.title = "step", .min = first, .max = all.settings.steps};
@@ -166,8 +163,8 @@ void draw_guest(Page& page, const WarmStart& all) {
   }
   plot.series.push_back(touches);
   plot.cursor = step;
-  draw_plot(page, right[0], plot);
-  page.note(right[1], "",
+  draw_plot(page, parts[1], plot);
+  page.note(parts[2], "",
             "A ball bounces beside the tower and never touches it. While the ball touches the "
             "ground, its contact is the first row, and all others shift by one. Matched by number, this "
             "shakes the tower. Matched by key, not one bit of its loads changes.");

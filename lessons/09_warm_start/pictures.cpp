@@ -87,7 +87,7 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, c
 }
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
-  const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
+  const List<Rect> panels = in_columns(page, rect, {1, 1, 1});
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const FixedList<const StartRun*, 3> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
@@ -120,7 +120,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
 }
 
 void draw_step(Page& page, const WarmStart& all, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.57, 0.43}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.57, 0.43});
   draw_towers(page, parts[0], all, frame);
   draw_load_plot(page, parts[1], all, frame);
 }
@@ -144,13 +144,12 @@ void draw_tops(Page& page, const Rect& rect, const WarmStart& all, int frame) {
 /// The cold tower of the question at the end, and the warm one at the given step.
 QuestionFrame two_towers(const WarmStart& all, int frame, std::string state, std::string alt) {
   const auto draw = [&all, frame](Page& page, const Rect& rect) {
-    const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
-    const List<Rect> panels = columns(parts[0], {1, 1}, page.sizes().gap);
+    const List<Rect> parts = in_rows(page, rect, {{0.5, {1, 1}}, 0.5});
     const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
     const std::string warm = frame == 0 ? "warm, ? sweeps" : all.few_warm.name;
-    draw_start(page, panels[0], all, question_steps, {all.many_cold, styles[0], all.many_cold.name, true});
-    draw_start(page, panels[1], all, frame, {all.few_warm, styles[1], warm});
-    draw_tops(page, parts[1], all, frame);
+    draw_start(page, parts[0], all, question_steps, {all.many_cold, styles[0], all.many_cold.name, true});
+    draw_start(page, parts[1], all, frame, {all.few_warm, styles[1], warm});
+    draw_tops(page, parts[2], all, frame);
   };
   return {.state = std::move(state), .alt = std::move(alt), .scene = draw};
 }

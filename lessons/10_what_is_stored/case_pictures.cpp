@@ -60,21 +60,19 @@ void draw_contact_arms(Page& page, const Camera& camera, const PairCase& one, co
 }
 
 void draw_case(Page& page, const PairCase& one, const CaseText& text) {
-  const List<Rect> halves = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.68, 0.32}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
-  const Rect inside = page.panel(left[0], one.title);
+  const List<Rect> parts = in_columns(page, {{0.62, {0.68, 0.32}}, {0.38, {0.5, 0.5}}});
+  const Rect inside = page.panel(parts[0], one.title);
   const double from = one.snapshot.contacts[0].position.x(), to = one.snapshot.contacts[1].position.x();
   const Camera camera = fit(inside, {{std::min(from, -to) - 0.7, -0.4}, {std::max(to, -from) + 0.7, 1.5}});
   draw_world(page, camera, one.snapshot, {.numbers = false, .penetration = false});
   draw_contact_arms(page, camera, one, text.arm);
-  page.note(left[1], "", text.note);
-  page.equation(right[0], {.number = "eq (30) as printed",
+  page.note(parts[1], "", text.note);
+  page.equation(parts[2], {.number = "eq (30) as printed",
                            .symbols = text.product,
                            .numbers = text.product_numbers,
                            .result = fmt::format("= {}: {}", significant(one.printed),
                                                  one.printed == 0 ? "not counted" : "counted")});
-  page.equation(right[1], {.number = "eq (15)",
+  page.equation(parts[3], {.number = "eq (15)",
                            .symbols = text.coupling,
                            .numbers = text.coupling_numbers,
                            .result = one.coupling == 0 ? "= 0" : "= " + significant(one.coupling) + " 1/kg"});

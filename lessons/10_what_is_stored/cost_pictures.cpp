@@ -28,38 +28,34 @@ Plot rows_plot(const Page& page, const StoredRun& run, const std::string& title,
 }
 
 void draw_cost(Page& page, const StoredRun& run) {
-  const List<Rect> bands = rows(page.area(), {0.7, 0.3}, page.sizes().gap);
-  const List<Rect> charts = columns(bands[0], {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> notes = columns(bands[1], {0.5, 0.5}, page.sizes().gap);
-  draw_plot(page, charts[0], rows_plot(page, run, "what is kept of A (bytes)", false));
-  draw_plot(page, charts[1], rows_plot(page, run, "multiply-adds of one sweep", true));
-  page.note(notes[0], "",
+  const List<Rect> parts = in_rows(page, {{0.7, {0.5, 0.5}}, {0.3, {0.5, 0.5}}});
+  draw_plot(page, parts[0], rows_plot(page, run, "what is kept of A (bytes)", false));
+  draw_plot(page, parts[1], rows_plot(page, run, "multiply-adds of one sweep", true));
+  page.note(parts[2], "",
             "Twice the rows take four times the memory in a full A, and twice in the others. Each entry of a "
             "sparse A has its column beside it: 12 bytes.");
   page.note(
-      notes[1], "",
+      parts[3], "",
       fmt::format("SI makes 12 for each row. A sparse row of A has {:.1f} entries at base {}. Naive PGS "
                   "computes all velocities again after each row (paper 4.4).",
                   work_of(run.pyramids.back()).sparse / run.pyramids.back().rows, run.settings.base));
 }
 
 void draw_tray(Page& page, const StoredRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.2, 0.8}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.2, {0.8, {0.36, 0.36, {0.28, {0.4, 0.6}}}}});
   const Rect inside = page.panel(
       parts[0],
       fmt::format("tray: {} boxes on one body that can move, m = {:g} rows", boxes_on_tray, run.tray.rows));
   const Camera camera = fit(inside, render::bounds_of({&run.tray_snapshot, 1}));
   draw_world(page, camera, run.tray_snapshot, {.numbers = false, .contacts = false, .penetration = false});
-  const List<Rect> below = columns(parts[1], {0.36, 0.36, 0.28}, page.sizes().gap);
   const Count& pyramid = run.pyramids[2];
-  draw_pattern(page, below[0], pyramid, run.problems[2]);
-  draw_pattern(page, below[1], run.tray, run.tray_problem);
-  const List<Rect> right = rows(below[2], {0.4, 0.6}, page.sizes().gap);
-  page.table(right[0], "multiply-adds of a sweep",
+  draw_pattern(page, parts[1], pyramid, run.problems[2]);
+  draw_pattern(page, parts[2], run.tray, run.tray_problem);
+  page.table(parts[3], "multiply-adds of a sweep",
              {.header = {"", pyramid.name, run.tray.name},
               .rows = {{"sparse A", spaced(work_of(pyramid).sparse), spaced(work_of(run.tray).sparse)},
                        {"SI", spaced(work_of(pyramid).si), spaced(work_of(run.tray).si)}}});
-  page.note(right[1], "", "All boxes push the tray, so all rows meet. The work of SI stays the same.");
+  page.note(parts[4], "", "All boxes push the tray, so all rows meet. The work of SI stays the same.");
 }
 
 }  // namespace

@@ -57,15 +57,14 @@ std::string body_name(BodyId body) {
 }
 
 void draw_row(Page& page, const StoredRun& run, int active) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.74, 0.26}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {{0.44, {0.74, 0.26}}, 0.56});
   const VelocityProblem<double>& problem = run.problems[smallest];
   const Eigen::MatrixXd A = system_matrices(problem).A;
-  draw_met(page, left[0], run, A, active);
+  draw_met(page, parts[0], run, A, active);
   const ConstraintRow<double>& row = problem.rows[active];
   int met = 0;
   for (int j = 0; j < problem.row_count(); ++j) met += meet(A, active, j);
-  page.note(left[1], "",
+  page.note(parts[1], "",
             fmt::format("Row {}: {} and {}. A push here changes the closing speed of {} of the {} contacts: "
                         "its own, and those on the same boxes. All other entries in this row of A are 0.",
                         active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
@@ -73,7 +72,7 @@ void draw_row(Page& page, const StoredRun& run, int active) {
       .title = "A, base 3: red > 0, blue < 0", .values = A, .active_row = active, .numbers = false};
   for (int j = 1; j <= problem.row_count(); ++j) view.row_names.push_back(fmt::format("{}", j));
   view.column_names = view.row_names;
-  draw_matrix(page, halves[1], view);
+  draw_matrix(page, parts[2], view);
 }
 
 /// Dark: in A. Grey, as all that does nothing: zero in A, and counted by (30).
@@ -94,11 +93,11 @@ void draw_colours(Page& page, Point at, const Point& pitch) {
 }
 
 void draw_patterns(Page& page, const StoredRun& run) {
-  const List<Rect> bands = rows(page.area(), {0.66, 0.26, 0.08}, page.sizes().gap);
+  const List<Rect> bands = in_rows(page, {0.66, 0.26, 0.08});
   for (const int which : {0, 1, 2}) {
-    draw_pattern(page, columns(bands[0], {1, 1, 1}, page.sizes().gap)[which], run.pyramids[which],
+    draw_pattern(page, in_columns(page, bands[0], {1, 1, 1})[which], run.pyramids[which],
                  run.problems[which]);
-    draw_pyramid(page, columns(bands[1], {1, 1, 1}, page.sizes().gap)[which], run, which);
+    draw_pyramid(page, in_columns(page, bands[1], {1, 1, 1})[which], run, which);
   }
   const Rect key = page.panel(bands[2], "");
   draw_colours(page, {key.x, key.y - 4}, {0.4 * key.width, 0});
@@ -149,7 +148,7 @@ void draw_strip(Page& page, const Rect& rect, const VelocityProblem<double>& pro
 
 /// The largest A with its middle row lit, and that row below it.
 void draw_largest(Page& page, const Rect& rect, const StoredRun& run) {
-  const List<Rect> parts = rows(rect, {0.76, 0.24}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rect, {0.76, 0.24});
   const Rect matrix = draw_pattern(page, parts[0], run.pyramids[largest], run.problems[largest]);
   const double middle = matrix.y + matrix.height / 2;
   page.canvas().line({matrix.x - 8, middle}, {matrix.x + matrix.width + 8, middle},
@@ -181,7 +180,7 @@ QuestionFrame question_frame(const StoredRun& run) {
   return {.state = run.pyramids[largest].name,
           .alt = "A large pyramid of boxes, an empty strip for one row of its A, and the question.",
           .scene = [&run](Page& page, const Rect& rect) {
-            const List<Rect> parts = rows(rect, {0.8, 0.2}, page.sizes().gap);
+            const List<Rect> parts = in_rows(page, rect, {0.8, 0.2});
             draw_pyramid(page, parts[0], run, largest);
             draw_strip(page, parts[1], run.problems[largest], true);
           }};

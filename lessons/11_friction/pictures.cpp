@@ -106,11 +106,10 @@ Shot force_shot(const Study& study, bool rough) {
           .draw =
               [&study, rough](Page& page) {
                 const Slide& shown = rough ? study.rough : study.slippery;
-                const List<Rect> halves = columns(page.area(), {50, 50}, page.sizes().gap);
-                const List<Rect> right = rows(halves[1], {50, 50}, page.sizes().gap);
-                draw_forces(page, halves[0], shown);
-                draw_bars(page, right[0], force_bars(page, study, shown));
-                page.equation(right[1], limit_equation(shown));
+                const List<Rect> parts = in_columns(page, {50, {50, {50, 50}}});
+                draw_forces(page, parts[0], shown);
+                draw_bars(page, parts[1], force_bars(page, study, shown));
+                page.equation(parts[2], limit_equation(shown));
               },
           .key = true};
 }
@@ -124,7 +123,7 @@ Shot sweep_shot(const Study& study) {
           "the friction rows beside them. Below it λ_t of the upper corner meets its bound in sweep 4.",
       .draw =
           [&study](Page& page) {
-            const List<Rect> parts = rows(page.area(), {52, 48}, page.sizes().gap);
+            const List<Rect> parts = in_rows(page, {52, 48});
             page.table(parts[0], "λ of the two corners (N); λ_{t} is negative uphill", sweep_table(study));
             draw_moving_bound(page, parts[1], study);
           },

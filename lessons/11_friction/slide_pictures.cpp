@@ -54,9 +54,8 @@ void draw_speed_error(Page& page, const Rect& rect, const Slide& slide, int step
 
 void draw_slide(Page& page, const Slide& slide, int step) {
   const bool both = !slide.box2d_frames.empty();
-  const double gap = page.sizes().gap;
-  const List<Rect> halves = rows(page.area(), {60, 40}, gap);
-  const List<Rect> engines = columns(halves[0], {50, 50}, gap);
+  const List<Rect> halves = in_rows(page, {60, 40});
+  const List<Rect> engines = in_columns(page, halves[0], {50, 50});
   draw_engine(page, both ? engines[0] : halves[0], "Cairn, sequential impulses", page.theme().si,
               slide.frames, slide, step);
   if (both) {
@@ -183,9 +182,9 @@ Shot trial_shot(const Study& study) {
                             outcome(trial.contest.ways[0]), outcome(trial.contest.ways[1]));
   }
   shot.draw = [&study](Page& page) {
-    const List<Rect> halves = rows(page.area(), {50, 50}, page.sizes().gap);
+    const List<Rect> halves = in_rows(page, {50, 50});
     for (int i = 0; i < study.trials.size(); ++i) {
-      const List<Rect> cells = columns(halves[i / 2], {50, 50}, page.sizes().gap);
+      const List<Rect> cells = in_columns(page, halves[i / 2], {50, 50});
       draw_trial(page, cells[i % 2], study, study.trials[i]);
     }
   };
@@ -201,7 +200,7 @@ Shot curve_shot(const Study& study) {
       "Acceleration over the angle for both blocks: zero up to the critical angle, then along the formula; "
       "squares of Cairn and triangles of Box2D on the line.";
   shot.draw = [&study](Page& page) {
-    const List<Rect> parts = columns(page.area(), {62, 38}, page.sizes().gap);
+    const List<Rect> parts = in_columns(page, {62, 38});
     draw_plot(page, parts[0], curve_plot(page, study));
     const Rect rest = page.card(
         parts[1], "what is drawn",

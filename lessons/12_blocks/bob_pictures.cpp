@@ -70,7 +70,7 @@ void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, int step) 
 }
 
 void draw_bobs(Page& page, const BlocksRuns& all, int step) {
-  const List<Rect> parts = columns(page.area(), {0.31, 0.31, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.31, 0.31, 0.38});
   draw_both_bobs(page, {parts[0], parts[1]}, all, step);
   draw_energy(page, parts[2], all, step);
 }

@@ -66,11 +66,10 @@ void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep)
 }
 
 void draw_chain(Page& page, const ChainRun& chain, int sweep) {
-  const List<Rect> parts = rows(page.area(), {0.46, 0.54}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_beams(page, top[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
-  draw_beams(page, top[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
-  draw_errors(page, parts[1], chain, sweep);
+  const List<Rect> parts = in_rows(page, {{0.46, {0.5, 0.5}}, 0.54});
+  draw_beams(page, parts[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
+  draw_beams(page, parts[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
+  draw_errors(page, parts[2], chain, sweep);
 }
 
 /// One entry of A with its number: in the blocks' colour where a block settles it.
@@ -106,19 +105,18 @@ void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
 }
 
 void draw_table(Page& page, const BlocksRuns& all) {
-  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {{0.48, {0.58, 0.42}}, 0.52});
   TableView table{.header = {"sweeps to 1 %", "rows", "blocks", "work"}};
   for (const ChainRun& chain : all.chains) {
     const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
     table.rows.push_back({chain.name, fmt::format("{}", chain.rows.sweeps),
                           fmt::format("{}", chain.blocks.sweeps), fixed(ratio, 2)});
   }
-  page.table(left[0], "work: multiply-adds of blocks / of rows", table);
-  page.note(left[1], "Where blocks help",
+  page.table(parts[0], "work: multiply-adds of blocks / of rows", table);
+  page.note(parts[1], "Where blocks help",
             "A block settles its square on the diagonal at once. Here only the first square has rows that "
             "couple. All else is between the joints, and takes its sweeps.");
-  draw_system(page, halves[1], all.chains[welded_three]);
+  draw_system(page, parts[2], all.chains[welded_three]);
 }
 
 }  // namespace

@@ -129,11 +129,10 @@ void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment
 
 /// Rod and plane; returns what is free below the rod.
 Rect draw_moment(Page& page, const RodRun& rod, const RodMoment& moment) {
-  const List<Rect> halves = columns(page.area(), {0.55, 0.45}, page.sizes().gap);
-  draw_plane(page, halves[1], rod, moment);
-  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
-  draw_rod(page, left[0], rod, moment);
-  return left[1];
+  const List<Rect> parts = in_columns(page, {{0.55, {0.6, 0.4}}, 0.45});
+  draw_plane(page, parts[2], rod, moment);
+  draw_rod(page, parts[0], rod, moment);
+  return parts[1];
 }
 
 void draw_update(Page& page, const BlocksRuns& all, int i) {
@@ -200,8 +199,7 @@ std::string answer_text(const BlocksRuns& all) {
 /// What is known of the sweeps, beside the beams; in the answer all of it, beside the bob.
 QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
   const auto draw = [&all, asked](Page& page, const Rect& rect) {
-    const List<double> weights = asked ? List<double>{0.6, 0.4} : List<double>{0.4, 0.3, 0.3};
-    const List<Rect> parts = columns(rect, weights, page.sizes().gap);
+    const List<Rect> parts = in_columns(page, rect, asked ? List<Cut>{0.6, 0.4} : List<Cut>{0.4, 0.3, 0.3});
     draw_sweep_bars(page, asked ? parts[1] : parts[0], all, asked);
     if (asked) return draw_start(page, parts[0], all.chains[welded_three]);
     const int step = static_cast<int>(std::lround(0.8 / all.settings.dt));

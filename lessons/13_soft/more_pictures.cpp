@@ -39,8 +39,8 @@ void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
 }
 
 void draw_stiff(Page& page, const SoftRuns& all) {
-  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
-  draw_stiff_curves(page, halves[0], all);
+  const List<Rect> parts = in_columns(page, {0.54, {0.46, {0.6, 0.4}}});
+  draw_stiff_curves(page, parts[0], all);
   TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
   for (const StiffRun& run : all.stiff) {
     const double sag = 1000 * run.sag;
@@ -48,10 +48,8 @@ void draw_stiff(Page& page, const SoftRuns& all) {
                           significant(run.gamma, 3), fixed(run.beta, 4), significant(sag, 3)});
     if (run.frequency == all.settings.frequency) table.active_row = table.rows.size() - 1;
   }
-  const double top = 0.6;
-  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
-  page.table(right[0], "the same Δt and damping ratio", table);
-  page.note(right[1], "Stiffer",
+  page.table(parts[1], "the same Δt and damping ratio", table);
+  page.note(parts[2], "Stiffer",
             "Δt k outgrows d, and β goes to 1: the row becomes a rod that takes its error back in one step.");
 }
 
@@ -75,24 +73,22 @@ void draw_column(Page& page, const Rect& rect, const ColumnRun& run, const std::
 
 /// Both side by side, so that one scale of colours serves both.
 void draw_matrices(Page& page, const SoftRuns& all) {
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.16, 0.16, 0.36, 0.32}, page.sizes().gap);
-  draw_column(page, top[0], all.rigid_column, "rods");
-  draw_column(page, top[1], all.soft_column, "springs");
+  const List<Rect> parts = in_rows(page, {{0.5, {0.16, 0.16, 0.36, 0.32}}, {0.5, {0.5, 0.5}}});
+  draw_column(page, parts[0], all.rigid_column, "rods");
+  draw_column(page, parts[1], all.soft_column, "springs");
   MatrixView view{.title = "A of the rods  |  A + γ of the springs (1/kg)",
                   .values = Matrix<double>(column_weights, 2 * column_weights),
                   .row_names = {"1", "2", "3"},
                   .column_names = {"1", "2", "3", "1", "2", "3"},
                   .column_group = column_weights};
   view.values << all.rigid_column.A, all.soft_column.A;
-  draw_matrix(page, top[2], view);
+  draw_matrix(page, parts[2], view);
   page.note(
-      top[3], "",
+      parts[3], "",
       "A spring only adds its γ to its diagonal entry of A. The rows affect each other less, so a sweep "
       "leaves less of the error.");
-  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   const ColumnRun& soft = all.soft_column;
-  page.equation(below[0], {.number = "eq (15), PGS",
+  page.equation(parts[4], {.number = "eq (15), PGS",
                            .symbols = "(A + γ) λ = b",
                            .numbers = fmt::format("row 1: ({:.3g} + {:.3g}) λ_{{1}} − λ_{{2}} = b_{{1}}",
                                                   all.rigid_column.A(0, 0), soft.gamma),
@@ -104,7 +100,7 @@ void draw_matrices(Page& page, const SoftRuns& all) {
   const double given = soft.gamma * soft.by_si[1][0] * dt;
   const double change = soft.by_si[2][0] - soft.by_si[1][0];
   const double jv = -given - change * soft.A(0, 0) * dt;
-  page.equation(below[1], {.number = "eq (22), SI: row 1, sweep 2",
+  page.equation(parts[5], {.number = "eq (22), SI: row 1, sweep 2",
                            .symbols = "Δλ = (ζ − j·v − γ λ Δt) / ((A_{ii} + γ) Δt)",
                            .numbers = fmt::format("= (0 − ({}) − {}) / ({:.3g} × {:.3g})", fixed(jv, 4),
                                                   fixed(given, 4), soft.A(0, 0), dt),
@@ -128,11 +124,10 @@ void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep,
 }
 
 void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
-  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
-  draw_lambdas(page, top[0], all.rigid_column, sweep, "rods, one step from λ = 0: λ (N)",
+  const List<Rect> parts = in_rows(page, {{0.48, {1, 1}}, 0.52});
+  draw_lambdas(page, parts[0], all.rigid_column, sweep, "rods, one step from λ = 0: λ (N)",
                style_of_rigid(page).color);
-  draw_lambdas(page, top[1], all.soft_column, sweep, "springs that begin without load: λ (N)",
+  draw_lambdas(page, parts[1], all.soft_column, sweep, "springs that begin without load: λ (N)",
                style_of_soft(page).color);
   Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = shown_sweeps};
@@ -146,7 +141,7 @@ void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
   add(fmt::format("rods, × {} per sweep", fixed(all.rigid_column.rate, 2)), all.rigid_column,
       style_of_rigid(page));
   add(fmt::format("springs, × {:.2g}", all.soft_column.rate), all.soft_column, style_of_soft(page));
-  draw_plot(page, parts[1], plot);
+  draw_plot(page, parts[2], plot);
 }
 
 SeriesStyle style_of_force(const Page& page) { return {page.theme().external, {2, 5}, Marker::triangle}; }
@@ -196,13 +191,11 @@ double largest_hertz(const SoftRuns& all) {
 }
 
 void draw_harsh(Page& page, const SoftRuns& all) {
-  const double top = 0.7;
-  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
-  const List<Rect> halves = columns(parts[0], {1, 1}, page.sizes().gap);
-  draw_run_away(page, halves[0], all);
-  draw_growth(page, halves[1], all);
+  const List<Rect> parts = in_rows(page, {{0.7, {1, 1}}, 0.3});
+  draw_run_away(page, parts[0], all);
+  draw_growth(page, parts[1], all);
   const double hertz = largest_hertz(all);
-  page.note(parts[1], "A force, or a row",
+  page.note(parts[2], "A force, or a row",
             fmt::format("The force −k c − d v of the beginning of a step pushes too far above {:.3g} Hz, and "
                         "further each time. The row takes the force of the step's end: it never diverges, "
                         "but it damps motions that are too fast for the step. Both charts: Δt = {:g} s.",

@@ -126,13 +126,12 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
 }
 
 void draw_step(Page& page, const SoftRuns& all, int step) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
-  draw_weights(page, halves[0], all, step);
-  draw_errors(page, right[0], all, step);
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.56, 0.44}}});
+  draw_weights(page, parts[0], all, step);
+  draw_errors(page, parts[1], all, step);
   const StepRow& row = all.spring.rows[step];
   const std::string free = fixed(row.free, 3);
-  page.equation(right[1], {.number = "eq (22), the soft row",
+  page.equation(parts[2], {.number = "eq (22), the soft row",
                            .symbols = "λ = (ζ − j·v) / ((A + γ) Δt)",
                            .numbers = fmt::format("= ({} − {}) / (({:.3g} + {:.3g}) × {:.3g})",
                                                   fixed(row.zeta, 3), row.free < 0 ? "(" + free + ")" : free,

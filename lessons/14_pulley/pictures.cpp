@@ -153,11 +153,10 @@ void draw_equation(Page& page, const PulleyRuns& all) {
   const ConstraintRow<double>& row = all.first.rows[0];
   const double jv = row_velocity(all.first, row);
   const double inverse = inverse_effective_mass(all.first, row);
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.21, 0.33, 0.46}, page.sizes().gap);
-  draw_pulls(page, draw_masses(page, halves[0], all, all.runs[0].steps[1]), all, all.runs[0].steps[1]);
-  draw_row(page, right[0], all);
-  page.equation(right[1], {.number = "eq (22)",
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.21, 0.33, 0.46}}});
+  draw_pulls(page, draw_masses(page, parts[0], all, all.runs[0].steps[1]), all, all.runs[0].steps[1]);
+  draw_row(page, parts[1], all);
+  page.equation(parts[2], {.number = "eq (22)",
                            .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
                            .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(jv, 3),
                                                   fixed(inverse, 4), all.settings.dt),
@@ -166,7 +165,7 @@ void draw_equation(Page& page, const PulleyRuns& all) {
   TableView table{.header = {"solver, one sweep", "λ (N)", "bytes it keeps"}};
   for (const PulleyRun& run : all.runs)
     table.rows.push_back({run.solver, fixed(run.steps[1].tension, 3), fmt::format("{}", run.memory)});
-  page.table(right[2], "the same row in seven solvers", table);
+  page.table(parts[3], "the same row in seven solvers", table);
 }
 
 /// Something of each step, over the steps; what comes after step k is pale.
@@ -183,10 +182,9 @@ Plot over_run(const Page& page, const PulleyRuns& all, int k, double (*value)(co
 }
 
 void draw_step(Page& page, const PulleyRuns& all, int k) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.55, 0.45}}});
   const PulleyStep& step = all.runs[0].steps[k];
-  const Camera camera = draw_masses(page, halves[0], all, step);
+  const Camera camera = draw_masses(page, parts[0], all, step);
   draw_pulls(page, camera, all, step);
   if (k == all.settings.lift_step + 1 && all.settings.lift > 0)
     draw_motion(page, camera, step, 2, step.speed[2], 1, significant(step.speed[2]) + " m/s");
@@ -198,10 +196,10 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   const int lift = all.settings.lift_step;
   if (all.settings.lift > 0 && lift < all.settings.steps)
     pull.labels.push_back({0, 0.4 * tension, fmt::format("thrown up after {}", lift)});
-  draw_plot(page, right[0], pull);
+  draw_plot(page, parts[1], pull);
   Plot room = over_run(page, all, k, [](const PulleyStep& one) { return 1000 * one.room; });
   room.title = "rope left over, c (mm)";
-  draw_plot(page, right[1], room);
+  draw_plot(page, parts[2], room);
 }
 
 Shot step_shot(const PulleyRuns& all, int k, const std::set<int>& keys) {

@@ -25,12 +25,11 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
 /// A moment of the first step: the forces, the equation that gives the last of them, and a word about it.
 void draw_first_step(Page& page, const Slides& all, const Forces& forces, const Equation& equation, int known,
                      const std::string& title, const std::string& text) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_limits(page, halves[0], all, forces);
-  const List<Rect> panels = rows(halves[1], {0.32, 0.34, 0.34}, page.sizes().gap);
-  page.equation(panels[0], equation);
-  draw_clamps(page, panels[1], all, known);
-  page.note(panels[2], title, text);
+  const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.32, 0.34, 0.34}}});
+  draw_limits(page, parts[0], all, forces);
+  page.equation(parts[1], equation);
+  draw_clamps(page, parts[2], all, known);
+  page.note(parts[3], title, text);
 }
 
 /// One of the two rows: from what its equation asks for to what its clamp leaves.
@@ -103,11 +102,10 @@ void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
 }
 
 void draw_step(Page& page, const Slides& all, int k) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_table(page, halves[0], all, k);
-  const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.58, 0.42}}});
+  draw_table(page, parts[0], all, k);
   const Vec2<double> circle = all.circle.steps[k].lambda, square = all.square.steps[k].lambda;
-  const Camera camera = draw_limits(page, right[0], all, {.active = {circle, square}});
+  const Camera camera = draw_limits(page, parts[1], all, {.active = {circle, square}});
   double base = camera.viewport.y;
   for (const bool is_circle : {false, true}) {  // at the head of each force its limit's marker
     const Vec2<double>& lambda = is_circle ? circle : square;
@@ -119,7 +117,7 @@ void draw_step(Page& page, const Slides& all, int k) {
     page.canvas().text({camera.viewport.x + camera.viewport.width, base},
                        fmt::format("{}: {:.2f} N", is_circle ? "circle" : "square", lambda.norm()), text);
   }
-  draw_speeds(page, right[1], all, k);
+  draw_speeds(page, parts[2], all, k);
 }
 
 Shot step_shot(const Slides& all, int k, bool key) {
@@ -167,7 +165,7 @@ void draw_way(Page& page, const Camera& camera, const Slide& slide, double aside
 
 /// The table before the first step with the way that is known, and what limits the friction.
 void draw_question(Page& page, const Rect& rect, const Slides& all) {
-  const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = in_columns(page, rect, {0.5, 0.5});
   const Camera camera = draw_table(page, halves[0], all, 0);
   draw_way(page, camera, all.circle, 24);
   TextStyle asked = name_style(page, page.sizes().title, page.theme().box2d.color);

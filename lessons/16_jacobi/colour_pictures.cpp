@@ -89,19 +89,18 @@ Camera pyramid_camera(const Rect& inside, int base) {
 }
 
 void draw_colours(Page& page, const PileRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  draw_graph(page, halves[0], run);
-  const List<Rect> right = rows(halves[1], {0.77, 0.23}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.44, {0.56, {0.77, 0.23}}});
+  draw_graph(page, parts[0], run);
   const int turns = run.contacts.count.size();
   const int across = (turns + 1) / 2;
-  const List<Rect> lines = rows(right[0], {1, 1}, page.sizes().gap);
+  const List<Rect> lines = in_rows(page, parts[1], {1, 1});
   for (int k = 0; k < turns; ++k) {
-    const List<Rect> panels = columns(lines[k / across], List<double>(across, 1), page.sizes().gap);
+    const List<Rect> panels = in_columns(page, lines[k / across], List<Cut>(across, 1.0));
     draw_turn(page, panels[k % across], run, k);
   }
   const int contacts = run.contacts.contacts.size();
   page.note(
-      right[1], "Gauss-Seidel in parallel",
+      parts[2], "Gauss-Seidel in parallel",
       fmt::format(
           "In one turn no box has two contacts, so no contact waits for another: {} turns for {} contacts. "
           "{} boxes at the bottom: {} turns of {}.",

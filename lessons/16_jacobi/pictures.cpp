@@ -71,15 +71,14 @@ std::string sweep_text(const FeetRun& run, int sweep) {
 }
 
 void draw_sweep(Page& page, const FeetRun& run, int sweep) {
-  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  draw_feet(page, halves[0], run, sweep);
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.5, 0.5}}});
+  draw_feet(page, parts[0], run, sweep);
   const FeetHistory& plain = history_of(run, Method::plain);
   const double before = plain.lambda[sweep - 1][0];
   const double after = plain.lambda[sweep][0];
   const double speed = plain.speed[sweep - 1];
   page.equation(
-      right[0],
+      parts[1],
       {.number = "eq (22), foot 1; the others do the same at the same time",
        .symbols = "λ ← max(0, λ − j·v / (A_{11} Δt))",
        .numbers = fmt::format("= max(0, {} − {} / ({} × {:g}))", fixed(before, 2),
@@ -88,7 +87,7 @@ void draw_sweep(Page& page, const FeetRun& run, int sweep) {
        .result = fmt::format("= {} N", fixed(after, 2)),
        .algorithm = fmt::format("then v: {} → {} m/s", fixed(speed, 3), fixed(plain.speed[sweep], 3)),
        .color = page.theme().normal});
-  page.note(right[1], fmt::format("Sweep {}", sweep), sweep_text(run, sweep));
+  page.note(parts[2], fmt::format("Sweep {}", sweep), sweep_text(run, sweep));
 }
 
 Shot sweep_shot(const FeetRun& run, int sweep) {
@@ -103,7 +102,7 @@ Shot sweep_shot(const FeetRun& run, int sweep) {
 
 /// The four methods' speeds, and the number that decides.
 void draw_speeds(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.62, {0.38, {0.6, 0.4}}});
   Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
   plot.x = {.title = "sweep"};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-8, .max = 1};
@@ -130,9 +129,8 @@ void draw_speeds(Page& page, const FeetRun& run) {
                           in_turn ? "·" : fixed(taken, 3),
                           fixed(100 * std::abs(history.speed[5]) / (gravity * time_step), 2) + " %"});
   }
-  const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
-  page.table(below[0], "", table);
-  page.note(below[1], "What decides",
+  page.table(parts[1], "", table);
+  page.note(parts[2], "What decides",
             "One sweep leaves 1 − q of the speed. q = 1: done at once; q < 2: "
             "converges; q > 2: grows, or never ends.");
 }

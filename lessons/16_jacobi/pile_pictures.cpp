@@ -22,9 +22,8 @@ std::string verdict_of(const PileHistory& history) {
 }
 
 void draw_eigenvalues(Page& page, const PileRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_rows_on_boxes(page, halves[0], run);
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.42, 0.58}}});
+  draw_rows_on_boxes(page, parts[0], run);
   TableView table;
   table.header = {"method", "ω × eigenvalue", "it converges"};
   for (const PileHistory& history : run.histories) {
@@ -32,9 +31,9 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
     table.rows.push_back({method_name(history.method, run.settings.omega),
                           in_turn ? "·" : fixed(history.eigenvalue, 3), verdict_of(history)});
   }
-  page.table(right[0], "the largest eigenvalue of D^{−1} A", table);
+  page.table(parts[1], "the largest eigenvalue of D^{−1} A", table);
   const int most = *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end());
-  page.note(right[1], "What decides",
+  page.note(parts[2], "What decides",
             fmt::format("Up to {} rows correct one box at the same time. With an eigenvalue above 2 a "
                         "sweep leaves some error larger than before. Damping gives a share of each "
                         "correction; every scene needs its own share. Split masses give each row its share "
@@ -43,7 +42,7 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
 }
 
 void draw_convergence(Page& page, const PileRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.6, {0.4, {0.6, 0.4}}});
   Plot plot{.title = "residual R_{E} after each sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = 300};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5e-4, .max = 1e2};
@@ -70,10 +69,9 @@ void draw_convergence(Page& page, const PileRun& run) {
   for (const PileHistory& history : run.histories)
     line(method_name(history.method, run.settings.omega), history);
   line("SI, by colours", run.coloured);
-  const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
-  page.table(below[0], "", table);
+  page.table(parts[1], "", table);
   page.note(
-      below[1], "With a processor for each row",
+      parts[2], "With a processor for each row",
       "Jacobi waits for all others once a sweep. SI waits for every row. With colours, rows that share no "
       "box run together, so SI can be parallel, too.");
 }
@@ -113,8 +111,8 @@ void draw_asymmetry(Page& page, const PileRun& run, int step) {
   plot.series[2].style.dash = {3, 4};
   plot.series[2].style.marker = Marker::circle;
   plot.now = step;
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.5, 0.5});
+  const List<Rect> halves = in_columns(page, parts[0], {0.5, 0.5});
   for (int which = 0; which < 2; ++which) draw_mirror(page, halves[which], run, which, step);
   draw_plot(page, parts[1], plot);
 }

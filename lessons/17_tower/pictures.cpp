@@ -110,11 +110,10 @@ Plot gap_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& en
 }
 
 void draw_step(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
-  const List<Rect> parts = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.48, {0.52, {1, 1}}});
   draw_tower(page, parts[0], runs, engines, frame, Shown::all);
-  const List<Rect> plots = rows(parts[1], {1, 1}, page.sizes().gap);
-  draw_plot(page, plots[0], load_plot(page, runs, engines, frame));
-  draw_plot(page, plots[1], gap_plot(page, runs, engines, frame));
+  draw_plot(page, parts[1], load_plot(page, runs, engines, frame));
+  draw_plot(page, parts[2], gap_plot(page, runs, engines, frame));
 }
 
 Shot step_shot(const TowerRuns& runs, bool is_warm, int frame) {

@@ -38,7 +38,7 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
 }
 
 void draw_sizes(Page& page, const CostRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.42, 0.58}}});
   Plot plot{.title = "sweeps until 1 % is left"};
   plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 30};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3000};
@@ -60,17 +60,16 @@ void draw_sizes(Page& page, const CostRun& run) {
                           fmt::format("{}", size.sor), fixed(static_cast<double>(size.si) / size.sor, 1)});
   }
   plot.series = {square, si, sor};
-  draw_plot(page, halves[0], plot);
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  page.table(right[0], "sweeps until 1 % is left", table);
-  page.note(right[1], "The scene decides",
+  draw_plot(page, parts[0], plot);
+  page.table(parts[1], "sweeps until 1 % is left", table);
+  page.note(parts[2], "The scene decides",
             "A sweep passes loads on from box to box. Twice as many boxes take four times "
             "the sweeps, and each sweep has twice the rows. With the best ω they take only twice the sweeps, "
             "but nobody knows the best ω of a pile.");
 }
 
 void draw_precision(Page& page, const CostRun& run) {
-  const List<Rect> halves = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
+  const List<Rect> halves = in_rows(page, {0.74, 0.26});
   Plot plot{.title = "error of λ, sweep by sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
@@ -122,11 +121,10 @@ TableView update_table(const CostRun& run) {
 }
 
 void draw_updates(Page& page, const CostRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  draw_plot(page, halves[0], update_plot(page, run));
-  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  page.table(right[0], "one row update of a tower, preparation included", update_table(run));
-  page.note(right[1], "The machine",
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.64, 0.36}}});
+  draw_plot(page, parts[0], update_plot(page, run));
+  page.table(parts[1], "one row update of a tower, preparation included", update_table(run));
+  page.note(parts[2], "The machine",
             "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "
             "for each λ: both grow with the tower. The last line is written for this tower only and looks "
             "nothing up.");
@@ -136,7 +134,7 @@ void draw_updates(Page& page, const CostRun& run) {
 
 List<Shot> digit_shots(const CostRun& run) {
   const auto draw_both = [&run](Page& page) {
-    const List<Rect> halves = rows(page.area(), {1, 1}, page.sizes().gap);
+    const List<Rect> halves = in_rows(page, {1, 1});
     draw_digits(page, halves[0], run, false);
     draw_digits(page, halves[1], run, true);
   };

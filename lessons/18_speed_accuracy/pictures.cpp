@@ -57,8 +57,8 @@ Plot error_plot(double last_sweep, AxisScale scale, double least) {
 }
 
 void draw_sweep(Page& page, const CostRun& run, int sweep) {
-  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {1, 1, 1, 1}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.54, 0.46});
+  const List<Rect> panels = in_columns(page, parts[0], {1, 1, 1, 1});
   Plot plot = error_plot(kept_sweeps, AxisScale::logarithmic, 1e-6);
   for (int which = 0; which < run.curves.size(); ++which) {
     draw_loads(page, panels[which], run, which, sweep);
@@ -84,7 +84,7 @@ std::string point_text(int sweep, const std::string& error) { return fmt::format
 
 /// The tower, and SI's error until 1 % is left.
 void draw_question(Page& page, const Rect& rect, const CostRun& run) {
-  const List<Rect> parts = columns(rect, {0.44, 0.56}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, rect, {0.44, 0.56});
   const List<double>& error = run.curves[si_curve].error;
   const int tenth = sweeps_to(error, 0.1), hundredth = sweeps_to(error, 0.01);
   draw_tower(page, page.panel(parts[0], fmt::format("λ after {} sweeps of SI, tick: exact", hundredth)), run,

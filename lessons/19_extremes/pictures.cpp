@@ -46,7 +46,7 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, co
 /// The two stacks with the load on the ground after a sweep; `counts` stand above them.
 void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep,
                  const List<std::string>& counts) {
-  const List<Rect> panels = columns(rect, {1, 1}, page.sizes().gap);
+  const List<Rect> panels = in_columns(page, rect, {1, 1});
   const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
   draw_stack(page, panels[0], run_of(run.ratios, run.settings.ratio), sweep, counts[0]);
   draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1), counts[1]);
@@ -99,11 +99,10 @@ List<std::string> counts_at(const ExtremesRun& run, int sweep) {
 }
 
 void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
-  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
-  draw_stacks(page, left[0], run, sweep, {"", ""});
-  draw_errors(page, halves[1], run, sweep);
-  page.equation(left[1], equation_of(page, run, sweep));
+  const List<Rect> parts = in_columns(page, {{0.54, {0.6, 0.4}}, 0.46});
+  draw_stacks(page, parts[0], run, sweep, {"", ""});
+  draw_errors(page, parts[2], run, sweep);
+  page.equation(parts[1], equation_of(page, run, sweep));
 }
 
 Shot sweep_shot(const ExtremesRun& run, int sweep, bool key) {
@@ -158,11 +157,10 @@ void draw_needed(Page& page, const Rect& rect, const ExtremesRun& run) {
 }
 
 void draw_map(Page& page, const ExtremesRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
-  draw_matrix(page, page.panel(halves[0], ""), map_of(run));
-  const List<Rect> right = rows(halves[1], {0.62, 0.38}, page.sizes().gap);
-  draw_needed(page, right[0], run);
-  page.note(right[1], "What decides",
+  const List<Rect> parts = in_columns(page, {0.54, {0.46, {0.62, 0.38}}});
+  draw_matrix(page, page.panel(parts[0], ""), map_of(run));
+  draw_needed(page, parts[1], run);
+  page.note(parts[2], "What decides",
             "A sweep leaves R / (1 + R) of the error, where R is the mass above over the mass below. "
             "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are measured.");
 }
@@ -224,7 +222,7 @@ List<Shot> extremes_shots(const ExtremesRun& run) {
           "after {}, the other after {}.",
           counts[0], counts[1]),
       .scene = [&run, last, counts](Page& page, const Rect& rect) {
-        const List<Rect> parts = rows(rect, {1, 1}, page.sizes().gap);
+        const List<Rect> parts = in_rows(page, rect, {1, 1});
         draw_stacks(page, parts[0], run, last, counts);
         draw_errors(page, parts[1], run, last);
       }};

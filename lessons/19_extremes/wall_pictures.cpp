@@ -121,10 +121,10 @@ void draw_rules(Page& page, const Rect& rect) {
 }
 
 void draw_wall(Page& page, const ExtremesRun& run, int step) {
-  const List<Rect> lines = rows(page.area(), {1, 1, 0.08}, page.sizes().gap);
+  const List<Rect> lines = in_rows(page, {1, 1, 0.08});
   draw_rules(page, lines[2]);
   for (int i = 0; i < run.wall.size(); ++i) {
-    const List<Rect> panels = columns(lines[i / 4], {1, 1, 1, 1}, page.sizes().gap);
+    const List<Rect> panels = in_columns(page, lines[i / 4], {1, 1, 1, 1});
     draw_edge(page, panels[i % 4], run, i, step);
   }
 }

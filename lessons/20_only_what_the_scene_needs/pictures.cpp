@@ -74,15 +74,14 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
 }
 
 void draw_step(Page& page, const NeedsRun& all, int step) {
-  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.56, {0.44, {0.44, 0.56}}});
   draw_scene(page, parts[0], all,
              {.title = "the run \"together\", its rows × sweeps; pale: asleep",
               .run = all_free,
               .step = step,
               .lines = swept_lines(all, all_free, step)});
-  const List<Rect> below = columns(parts[1], {0.44, 0.56}, page.sizes().gap);
-  draw_bill(page, below[0], all, step);
-  draw_course(page, below[1], all, step);
+  draw_bill(page, parts[1], all, step);
+  draw_course(page, parts[2], all, step);
 }
 
 Shot step_shot(const NeedsRun& all, int step, bool key) {
@@ -111,7 +110,7 @@ void draw_table(Page& page, const NeedsRun& all) {
          fmt::format("{}", run.updates / all.settings.steps), fixed(share_of(all, i), 0) + " %",
          millimetres(run.off_before), millimetres(run.off_after)});
   }
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.62, 0.38});
   page.table(parts[0], "rows of the first step, and the fewest of any step; updates; what it costs", table);
   page.note(parts[1], "How far off",
             "How far bodies are from their places in a run with all rows, swept to R_{E} = 10^{−6}: any body "
@@ -121,12 +120,11 @@ void draw_table(Page& page, const NeedsRun& all) {
 
 /// What becomes of the pyramid without friction, beside what should.
 void draw_ruin(Page& page, const NeedsRun& all) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> sides = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_pyramid(page, sides[0], all, everything);
-  draw_pyramid(page, sides[1], all, no_friction);
+  const List<Rect> parts = in_rows(page, {{0.62, {0.5, 0.5}}, 0.38});
+  draw_pyramid(page, parts[0], all, everything);
+  draw_pyramid(page, parts[1], all, no_friction);
   page.note(
-      parts[1], "No friction",
+      parts[2], "No friction",
       fmt::format("It saves nearly half of the row updates, and until the ball comes nothing needs the rows "
                   "that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
                   fixed(off_at_end(all, no_friction, farthest_box(all, no_friction)), 2)),
@@ -187,7 +185,7 @@ List<Shot> needs_shots(const NeedsRun& all) {
          .key = true});
   }
   const auto draw_answer = [&all](Page& page, const Rect& rect) {
-    const List<Rect> parts = rows(rect, {0.45, 0.55}, page.sizes().gap);
+    const List<Rect> parts = in_rows(page, rect, {0.45, 0.55});
     draw_scene(page, parts[0], all,
                {.title = "exit by island: row updates a step, on average",
                 .step = all.settings.steps,

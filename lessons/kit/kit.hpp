@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "cairn.hpp"
+#include "lessons/kit/layout.hpp"
 #include "lessons/kit/lesson.hpp"
 #include "lessons/kit/question.hpp"
 #include "lessons/kit/stack_panel.hpp"

@@ -30,7 +30,8 @@ TextStyle style_of(const Page& page, bool active) {
   return style;
 }
 
-/// Both ends of a push meet at its contact. Neighbours take turns with two columns, so that arrows never meet.
+/// Both ends of a push meet at its contact. Neighbours take turns with two columns, so that arrows never
+/// meet.
 void draw_pushes(Page& page, const Camera& camera, const StackMoment& moment) {
   const ArrowScale scale{
       .pixels_per_unit = camera.scale / moment.largest_lambda, .longest = camera.scale, .unit = "N"};

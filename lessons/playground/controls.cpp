@@ -130,11 +130,12 @@ List<Control> step_controls() {
        .title = "Contact search",
        .choices = contact_search_words(),
        .value =
-           [](const Controls& c) { return contact_search_words()[static_cast<int>(c.setting.contact_search)]; },
+           [](const Controls& c) {
+             return contact_search_words()[static_cast<int>(c.setting.contact_search)];
+           },
        .set =
            [](Controls& c, const std::string& word, double) {
-             c.setting.contact_search =
-                 static_cast<ContactSearch>(number_of(contact_search_words(), word));
+             c.setting.contact_search = static_cast<ContactSearch>(number_of(contact_search_words(), word));
            }},
       {.name = "numbers",
        .title = "Precision",
