@@ -90,8 +90,7 @@ void draw_order(Page& page, const Rect& rect, const Story& story) {
                   .markers = false},
                  {.name = "both methods", .style = {page.theme().text, {}, Marker::circle}, .line = false}};
   for (int i = c.dt.size() - 1; i >= 0; --i) {  // the name stands at the right end
-    plot.series[1].x.push_back(c.dt[i]);
-    plot.series[1].y.push_back(-c.semi_implicit[i]);
+    plot.series[1].add(c.dt[i], -c.semi_implicit[i]);
   }
   draw_plot(page, rect, plot);
 }

@@ -109,10 +109,7 @@ void draw_start(Page& page, const Camera& camera, const Flight& flight) {
 Series error_series(const Flight& flight, const List<Vec2<double>>& path, int step, const std::string& name,
                     const SeriesStyle& style) {
   Series series = {.name = name, .style = style};
-  for (int i = 0; i <= step; ++i) {
-    series.x.push_back(flight.time[i]);
-    series.y.push_back(height_above(flight, path, i));
-  }
+  for (int i = 0; i <= step; ++i) series.add(flight.time[i], height_above(flight, path, i));
   return series;
 }
 

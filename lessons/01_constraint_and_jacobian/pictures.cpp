@@ -105,9 +105,8 @@ void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& mot
   double largest = 1.2;  // [m] the same for all motions of the question
   for (int k = -20; k <= 20; ++k) {
     const double t = 0.05 * k, c = error_at(rod, carried(rod.pose, motion.velocity, t));
-    for (Series& series : plot.series) series.x.push_back(t);
-    plot.series[0].y.push_back(c);
-    plot.series[1].y.push_back(motion.rate * t);
+    plot.series[0].add(t, c);
+    plot.series[1].add(t, motion.rate * t);
     largest = std::max({largest, std::abs(c), std::abs(motion.rate * t)});
   }
   plot.y = {.min = -largest, .max = largest};
@@ -170,10 +169,7 @@ void draw_differences(Page& page, const Story& story) {
        .x = {least, last},
        .y = {scale / least, lowest},
        .markers = false}};
-  for (const Quotient& q : all) {
-    plot.series[0].x.push_back(q.h);
-    plot.series[0].y.push_back(q.error);
-  }
+  for (const Quotient& q : all) plot.series[0].add(q.h, q.error);
   plot.labels = {
       {1e-9, scale / 1e-9, fmt::format("rounding: about ε |p| / h, ε = {}", significant(epsilon, 2))},
       {1e-3, 1e-6 * factor, "falls with h²"}};

@@ -115,10 +115,7 @@ void draw_after(Page& page, const Pushes& all, int i) {
 
 Series curve_of_places(const Page& page, const Pushes& all) {
   Series curve{.style = {.color = page.theme().normal}, .markers = false};
-  for (int k = -50; k <= 50; ++k) {
-    curve.x.push_back(0.01 * k);
-    curve.y.push_back(mass_at(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
-  }
+  for (int k = -50; k <= 50; ++k) curve.add(0.01 * k, mass_at(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
   return curve;
 }
 
@@ -127,10 +124,8 @@ void draw_here(Page& page, const Pushes& all) {
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
   Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
   Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
-  for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]}) {
-    found.x.push_back(push.x);
-    found.y.push_back(push.impulse / all.settings.speed);
-  }
+  for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]})
+    found.add(push.x, push.impulse / all.settings.speed);
   plot.series = {curve_of_places(page, all), found};
   plot.goals.push_back({all.settings.mass, "all of the box"});
   plot.x = {.title = "place of the peg, x (m)", .min = -0.55, .max = 0.55};
@@ -152,8 +147,7 @@ void draw_others(Page& page, const Pushes& all) {
   Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
   for (int k = -16; k <= 16; ++k) {
     const double other = m * std::pow(10, k / 4.0 * 0.75);
-    curve.x.push_back(other);
-    curve.y.push_back(1 / (1 / m + 1 / other));
+    curve.add(other, 1 / (1 / m + 1 / other));
   }
   TableView table{.header = {"peg (kg)", "1/m of both", "effective (kg)"}};
   for (const OtherMass& other : all.others) {
@@ -161,8 +155,7 @@ void draw_others(Page& page, const Pushes& all) {
     table.rows.push_back({fixed_peg ? "fixed" : significant(other.mass), significant(1 / other.effective, 4),
                           significant(other.effective, 4)});
     if (fixed_peg || other.mass < curve.x.front() || other.mass > curve.x.back()) continue;
-    found.x.push_back(other.mass);
-    found.y.push_back(other.effective);
+    found.add(other.mass, other.effective);
   }
   plot.series = {curve, found};
   plot.goals.push_back({m, "the box alone"});

@@ -109,14 +109,12 @@ void draw_limits(Page& page, const DriftRuns& all) {
   plot.y = {.title = "", .scale = AxisScale::logarithmic};
   Series formula{.style = {.color = page.theme().text}, .markers = false};
   for (const double beta : {0.1, 1.0}) {  // a straight line on these axes
-    formula.x.push_back(beta);
-    formula.y.push_back(1000 * limit_by_formula(all.settings.dt, beta));
+    formula.add(beta, 1000 * limit_by_formula(all.settings.dt, beta));
   }
   Series measured{.style = {page.theme().text, {}, Marker::square}, .line = false};
   TableView table{.header = {"β", "formula (mm)", "measured (mm)"}};
   for (const DepthLimit& limit : all.limits) {
-    measured.x.push_back(limit.beta);
-    measured.y.push_back(1000 * limit.measured);
+    measured.add(limit.beta, 1000 * limit.measured);
     if (limit.beta == all.settings.beta) table.active_row = table.rows.size();
     table.rows.push_back(
         {fmt::format("{:g}", limit.beta), fixed(1000 * limit.formula, 2), fixed(1000 * limit.measured, 2)});

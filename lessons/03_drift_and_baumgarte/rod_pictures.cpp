@@ -48,10 +48,8 @@ void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int s
   const int stride = std::max(1, all.swings[0].steps.size() / 250);
   for (const RodRun& run : all.swings) {
     Series series{.name = beta_name(run.beta), .style = beta_style(page.theme(), run.beta), .markers = false};
-    for (int k = 1; k <= step; k += stride) {
-      series.x.push_back(k * all.settings.dt);
-      series.y.push_back(std::max(std::abs(run.error[k]), 1e-5));
-    }
+    for (int k = 1; k <= step; k += stride)
+      series.add(k * all.settings.dt, std::max(std::abs(run.error[k]), 1e-5));
     plot.series.push_back(series);
   }
   draw_plot(page, rect, plot);

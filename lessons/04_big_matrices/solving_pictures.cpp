@@ -112,11 +112,10 @@ void draw_growth(Page& page, const StackRun& run) {
                  {.name = "all of A", .style = theme.jacobi},
                  {.name = "not 0 in A", .style = theme.box2d}};
   for (const Growth& growth : run.growth) {
-    for (Series& one : plot.series) one.x.push_back(growth.boxes);
-    plot.series[0].y.push_back(growth.elimination);
-    plot.series[1].y.push_back(growth.all_of_J);
-    plot.series[2].y.push_back(growth.all_of_A);
-    plot.series[3].y.push_back(growth.used_of_A);
+    plot.series[0].add(growth.boxes, growth.elimination);
+    plot.series[1].add(growth.boxes, growth.all_of_J);
+    plot.series[2].add(growth.boxes, growth.all_of_A);
+    plot.series[3].add(growth.boxes, growth.used_of_A);
   }
   draw_plot(page, parts[0], plot);
   const Growth& largest = run.growth.back();

@@ -47,10 +47,8 @@ void draw_update(Page& page, const SweepRun& run, int k) {
 /// What is missing of one lambda after each sweep, over its exact value.
 Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
   Series series{.name = name};
-  for (int k = 0; k < swept.by_sweep.size(); ++k) {
-    series.x.push_back(k);
-    series.y.push_back(std::abs(stack.exact[row] - swept.by_sweep[k][row]) / stack.exact[row]);
-  }
+  for (int k = 0; k < swept.by_sweep.size(); ++k)
+    series.add(k, std::abs(stack.exact[row] - swept.by_sweep[k][row]) / stack.exact[row]);
   return series;
 }
 

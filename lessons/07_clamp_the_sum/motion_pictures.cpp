@@ -29,10 +29,7 @@ void draw_motion(Page& page, const Rect& rect, const List<Snapshot>& motion, int
 Series heights(const Page& page, const List<Snapshot>& motion, Clamped clamped) {
   Series series{.name = clamped == Clamped::sum ? "the sum" : "each push",
                 .style = style_of(page.theme(), clamped)};
-  for (int k = 0; k < motion.size(); ++k) {
-    series.x.push_back(k * time_step);
-    series.y.push_back(height_at(motion, k));
-  }
+  for (int k = 0; k < motion.size(); ++k) series.add(k * time_step, height_at(motion, k));
   return series;
 }
 
@@ -61,17 +58,13 @@ void draw_spread(Page& page, const FeetRun& run) {
   box.style.dash = page.theme().jacobi.dash;
   Series sum{.style = page.theme().exact, .markers = false};
   for (const Spread& spread : run.spreads) {
-    sum.x.push_back(spread.foot);
-    sum.y.push_back(0);
+    sum.add(spread.foot, 0);
     if (spread.foot > harmless_distance()) continue;
-    for (Series* series : {&foot, &box}) series->x.push_back(spread.foot);
-    foot.y.push_back(spread.formula_speed - spread.foot * spread.formula_spin);
-    box.y.push_back(spread.formula_speed);
+    foot.add(spread.foot, spread.formula_speed - spread.foot * spread.formula_spin);
+    box.add(spread.foot, spread.formula_speed);
   }
-  for (Series* series : {&foot, &box}) {
-    series->x.push_back(harmless_distance());  // where q and with it both speeds are 0
-    series->y.push_back(0);
-  }
+  // Where q and with it both speeds are 0.
+  for (Series* series : {&foot, &box}) series->add(harmless_distance(), 0);
   Plot plot{.title = "each push clamped: speed afterwards (m/s)"};
   plot.x = {.title = "r: from the middle to each foot (m)", .min = 0, .max = 0.5};
   plot.y = {.title = "", .min = 0};

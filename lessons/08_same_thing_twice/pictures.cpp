@@ -86,10 +86,8 @@ void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
   for (int p = 0; p < run.precisions.size(); ++p) {
     const PrecisionRun& precision = run.precisions[p];
     Series series{.name = precision.name, .style = styles[p]};
-    for (int k = 1; k < precision.difference.size(); ++k) {
-      series.x.push_back(k);
-      series.y.push_back(precision.difference[k] / precision.scale);
-    }
+    for (int k = 1; k < precision.difference.size(); ++k)
+      series.add(k, precision.difference[k] / precision.scale);
     plot.series.push_back(series);
     plot.goals.push_back({precision.epsilon, fmt::format("ε = {}", significant(precision.epsilon, 2))});
   }

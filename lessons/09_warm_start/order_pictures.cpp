@@ -12,8 +12,7 @@ Series error_series(const List<List<double>>& loads, double weight, double bound
   Series series;
   for (int k = 1; k < loads.size(); ++k) {
     if (std::pow(bound, k) < smallest_error) break;
-    series.x.push_back(k);
-    series.y.push_back(std::abs(loads[k][0] / weight - 1));
+    series.add(k, std::abs(loads[k][0] / weight - 1));
   }
   return series;
 }
@@ -27,10 +26,7 @@ void draw_errors(Page& page, const WarmStart& all) {
   Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(share));
   warm.style = start_styles(page.theme())[1];
   Series bound{.style = page.theme().exact, .markers = false};
-  for (const double k : warm.x) {
-    bound.x.push_back(k);
-    bound.y.push_back(std::pow(share, 0.5 * k));
-  }
+  for (const double k : warm.x) bound.add(k, std::pow(share, 0.5 * k));
   Plot plot{.title = fmt::format("|λ_{{1}} / {:g} N − 1| after each step", settings.weight())};
   plot.x = {.title = "step", .min = 0, .max = settings.steps};
   plot.y = {.scale = AxisScale::logarithmic, .min = smallest_error, .max = 2};
@@ -154,12 +150,10 @@ void draw_guest(Page& page, const WarmStart& all) {
   Series touches{
       .name = "ball touches", .style = {page.theme().external, {}, Marker::triangle}, .line = false};
   for (int k = first; k < all.guest.by_key.size(); ++k) {
-    for (Series& series : plot.series) series.x.push_back(k);
-    plot.series[0].y.push_back(all.guest.by_key[k][0]);
-    plot.series[1].y.push_back(all.guest.by_number[k][0]);
+    plot.series[0].add(k, all.guest.by_key[k][0]);
+    plot.series[1].add(k, all.guest.by_number[k][0]);
     if (!all.guest.ball_touches[k]) continue;
-    touches.x.push_back(k);
-    touches.y.push_back(all.guest.by_number[k][0]);
+    touches.add(k, all.guest.by_number[k][0]);
   }
   plot.series.push_back(touches);
   plot.cursor = step;

@@ -108,10 +108,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
   const FixedList<const StartRun*, 3> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
     Series series{.name = runs[s]->name, .style = styles[s]};
-    for (int k = 0; k <= shown; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(runs[s]->loads[k][0]);
-    }
+    for (int k = 0; k <= shown; ++k) series.add(k, runs[s]->loads[k][0]);
     plot.series.push_back(series);
   }
   plot.goals.push_back({all.settings.weight(), ""});

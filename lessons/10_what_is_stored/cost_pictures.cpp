@@ -16,11 +16,10 @@ Plot rows_plot(const Page& page, const StoredRun& run, const std::string& title,
   Series naive{.name = "naive", .style = {page.theme().external, {10, 5, 2, 5}, Marker::triangle}};
   for (const Count& count : run.pyramids) {
     const Work work = work_of(count);
-    for (Series* series : {&full, &sparse, &si, &naive}) series->x.push_back(count.rows);
-    full.y.push_back(of_work ? work.dense : count.dense * sizeof(double));
-    sparse.y.push_back(of_work ? work.sparse : count.pairs * (sizeof(double) + sizeof(int)));
-    si.y.push_back(of_work ? work.si : count.rows * sizeof(double));
-    naive.y.push_back(work.naive);
+    full.add(count.rows, of_work ? work.dense : count.dense * sizeof(double));
+    sparse.add(count.rows, of_work ? work.sparse : count.pairs * (sizeof(double) + sizeof(int)));
+    si.add(count.rows, of_work ? work.si : count.rows * sizeof(double));
+    naive.add(count.rows, work.naive);
   }
   plot.series = {full, sparse, si};
   if (of_work) plot.series.push_back(naive);

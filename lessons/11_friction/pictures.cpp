@@ -62,9 +62,8 @@ void draw_moving_bound(Page& page, const Rect& rect, const Study& study) {
                      .style = {.color = page.theme().friction, .dash = {}, .marker = Marker::circle}};
   for (int sweep = 1; sweep < std::min(study.by_hand.size(), 13); ++sweep) {
     const PerRow<double>& impulse = study.by_hand[sweep];
-    for (Series* series : {&bound, &friction}) series->x.push_back(sweep);
-    bound.y.push_back(-study.settings.slippery * impulse[upper_normal] / study.settings.slope.dt);
-    friction.y.push_back(impulse[upper_tangent] / study.settings.slope.dt);
+    bound.add(sweep, -study.settings.slippery * impulse[upper_normal] / study.settings.slope.dt);
+    friction.add(sweep, impulse[upper_tangent] / study.settings.slope.dt);
   }
   draw_plot(page, rect,
             {.title = "upper corner: λ_{t} and its bound (N)",

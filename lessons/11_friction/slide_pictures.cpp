@@ -111,8 +111,7 @@ Series formula_series(const Study& study, const Curve& curve, const SeriesStyle&
         curve.degrees.front() + (curve.degrees.back() - curve.degrees.front()) * i / points;
     Slope slope = study.settings.slope;
     slope.angle = degrees * pi / 180;
-    series.x.push_back(degrees);
-    series.y.push_back(coulomb(slope, {.friction = curve.friction}).acceleration);
+    series.add(degrees, coulomb(slope, {.friction = curve.friction}).acceleration);
   }
   return series;
 }
@@ -129,8 +128,7 @@ Plot curve_plot(const Page& page, const Study& study) {
     plot.series.push_back(formula_series(study, curve, thin));
     for (int i = 0; i < curve.degrees.size(); ++i) {
       const bool other = i % 2 == 1 && !curve.box2d.empty();
-      (other ? box2d : cairn).x.push_back(curve.degrees[i]);
-      (other ? box2d : cairn).y.push_back(other ? curve.box2d[i] : curve.cairn[i]);
+      (other ? box2d : cairn).add(curve.degrees[i], other ? curve.box2d[i] : curve.cairn[i]);
     }
   }
   plot.series.push_back(cairn);

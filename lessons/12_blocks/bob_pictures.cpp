@@ -57,10 +57,8 @@ void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, int step) 
   }
   const auto add = [&](const std::string& name, const BobRun& run, const SeriesStyle& style) {
     Series series{.name = name, .style = style};
-    for (int k = 0; k * all.settings.dt <= *plot.x.max + 1e-9 && k < run.energy.size(); ++k) {
-      series.x.push_back(k * all.settings.dt);
-      series.y.push_back(run.energy[k] + (soon ? 0 : gravity));
-    }
+    for (int k = 0; k * all.settings.dt <= *plot.x.max + 1e-9 && k < run.energy.size(); ++k)
+      series.add(k * all.settings.dt, run.energy[k] + (soon ? 0 : gravity));
     plot.series.push_back(series);
   };
   add("rows", all.bob_rows, style_of_rows(page));

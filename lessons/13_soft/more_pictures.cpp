@@ -26,10 +26,8 @@ void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
         .name = run.frequency < 1e5 ? fmt::format("{:g} Hz", run.frequency) : "10^{6} Hz",
         .style = {
             between(style_of_soft(page).color, page.theme().outline, part), {}, markers[plot.series.size()]}};
-    for (int step = 0; step * all.settings.dt <= 0.5 + 1e-9 && step < run.error.size(); ++step) {
-      series.x.push_back(step * all.settings.dt);
-      series.y.push_back(1000 * run.error[step]);
-    }
+    for (int step = 0; step * all.settings.dt <= 0.5 + 1e-9 && step < run.error.size(); ++step)
+      series.add(step * all.settings.dt, 1000 * run.error[step]);
     plot.series.push_back(series);
     lowest = std::min(lowest, *std::min_element(series.y.begin(), series.y.end()));
     highest = std::max(highest, *std::max_element(series.y.begin(), series.y.end()));
@@ -170,10 +168,8 @@ void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
   Series row{.name = "row", .style = style_of_soft(page), .markers = false};
   Series force{.name = "force", .style = style_of_force(page), .markers = false};
   for (const Growth& growth : all.growth) {
-    row.x.push_back(growth.frequency);
-    row.y.push_back(growth.row);
-    force.x.push_back(growth.frequency);
-    force.y.push_back(growth.force);
+    row.add(growth.frequency, growth.row);
+    force.add(growth.frequency, growth.force);
   }
   plot.series = {force, row};
   plot.goals.push_back({1, "above: grows"});

@@ -104,8 +104,8 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   double lowest = 0;
   double highest = 0;
   for (int i = 0; i <= points; ++i) {
-    exact.x.push_back(seconds * i / points);
-    exact.y.push_back(1000 * exact_error(all.settings, exact.x.back()));
+    const double time = seconds * i / points;
+    exact.add(time, 1000 * exact_error(all.settings, time));
     lowest = std::min(lowest, exact.y.back());
     highest = std::max(highest, exact.y.back());
   }
@@ -113,10 +113,8 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   plot.series.push_back(exact);
   const auto add = [&](const std::string& name, const WeightRun& run, const SeriesStyle& style) {
     Series series{.name = name, .style = style};
-    for (int k = 0; k * all.settings.dt <= seconds + 1e-9 && k < run.error.size(); ++k) {
-      series.x.push_back(k * all.settings.dt);
-      series.y.push_back(1000 * run.error[k]);
-    }
+    for (int k = 0; k * all.settings.dt <= seconds + 1e-9 && k < run.error.size(); ++k)
+      series.add(k * all.settings.dt, 1000 * run.error[k]);
     plot.series.push_back(series);
   };
   add("soft row", all.spring, style_of_soft(page));

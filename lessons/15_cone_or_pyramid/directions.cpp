@@ -51,8 +51,7 @@ Series formula_series(const Page& page, Measure measure) {
   for (int i = 0; i <= 90; ++i) {
     const double c = std::cos(i * pi / 180);
     const double s = std::sin(i * pi / 180);
-    series.x.push_back(i);
-    series.y.push_back(measure({c * c, s * s}));
+    series.add(i, measure({c * c, s * s}));
   }
   return series;
 }

@@ -83,10 +83,8 @@ void draw_vector(Page& page, const Slides& all) {
 Series speed_series(const std::string& name, const SeriesStyle& style, const Slides& all,
                     const Slide& slide) {
   Series series{.name = name, .style = style};
-  for (int i = 0; i < slide.steps.size(); ++i) {
-    series.x.push_back(i * all.settings.dt);
-    series.y.push_back(slide.steps[i].velocity.norm());
-  }
+  for (int i = 0; i < slide.steps.size(); ++i)
+    series.add(i * all.settings.dt, slide.steps[i].velocity.norm());
   return series;
 }
 

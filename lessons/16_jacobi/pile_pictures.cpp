@@ -51,8 +51,7 @@ void draw_convergence(Page& page, const PileRun& run) {
                   .style = style_of(page.theme(), history.method)};
     for (int k = 0; k <= 300; ++k) {
       if (!(history.residual[k] < 1e2 && history.residual[k] > 5e-4)) break;
-      series.x.push_back(k);
-      series.y.push_back(history.residual[k]);
+      series.add(k, history.residual[k]);
     }
     plot.series.push_back(series);
   }

@@ -25,8 +25,7 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
     for (int k = 1; k < curve.error.size() && curve.error[k] > last_error / 10; ++k) {
       if (k < next) continue;
       next = std::max(k + 1.0, k * 1.03);
-      series.x.push_back((is_work ? curve.work : 1) * k);
-      series.y.push_back(curve.error[k]);
+      series.add((is_work ? curve.work : 1) * k, curve.error[k]);
     }
   }
   if (is_work) {
@@ -44,18 +43,13 @@ void draw_sizes(Page& page, const CostRun& run) {
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3000};
   Series square{.name = "1.78 n²", .style = page.theme().exact, .markers = false};
   square.style.marker = Marker::none;
-  for (const double n : {2.0, 30.0}) {
-    square.x.push_back(n);
-    square.y.push_back(1.78 * n * n);
-  }
+  for (const double n : {2.0, 30.0}) square.add(n, 1.78 * n * n);
   Series si{.name = "SI", .style = style_of(page, si_curve)};
   Series sor{.name = "SOR", .style = style_of(page, sor_curve)};
   TableView table{.header = {"boxes", "SI", "SOR", "ratio"}};
   for (const SizeCost& size : run.sizes) {
-    si.x.push_back(size.boxes);
-    si.y.push_back(size.si);
-    sor.x.push_back(size.boxes);
-    sor.y.push_back(size.sor);
+    si.add(size.boxes, size.si);
+    sor.add(size.boxes, size.sor);
     table.rows.push_back({fmt::format("{}", size.boxes), fmt::format("{}", size.si),
                           fmt::format("{}", size.sor), fixed(static_cast<double>(size.si) / size.sor, 1)});
   }
@@ -100,10 +94,7 @@ Plot update_plot(const Page& page, const CostRun& run) {
   for (const auto& one : chosen) {
     const SolverTime& time = run.times[one.first];
     Series series{.name = time.name, .style = one.second};
-    for (int k = 0; k < timed_rows.size(); ++k) {
-      series.x.push_back(timed_rows[k]);
-      series.y.push_back(time.nanoseconds[k]);
-    }
+    for (int k = 0; k < timed_rows.size(); ++k) series.add(timed_rows[k], time.nanoseconds[k]);
     plot.series.push_back(series);
   }
   return plot;

@@ -94,10 +94,7 @@ void draw_question(Page& page, const Rect& rect, const CostRun& run) {
   plot.series = {series_of(page, run, si_curve, hundredth), {.style = asked, .line = false}};
   plot.series[0].name.clear();
   plot.series[0].markers = false;
-  for (const int sweep : {tenth, hundredth}) {
-    plot.series[1].x.push_back(sweep);
-    plot.series[1].y.push_back(error[sweep]);
-  }
+  for (const int sweep : {tenth, hundredth}) plot.series[1].add(sweep, error[sweep]);
   plot.labels = {{static_cast<double>(tenth), error[tenth], point_text(tenth, "10 %")},
                  {static_cast<double>(hundredth), error[hundredth], point_text(hundredth, "1 %")}};
   plot.title = "error of SI";

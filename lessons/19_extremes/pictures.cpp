@@ -65,8 +65,7 @@ void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
     series.style = style_of(page, ratio);
     series.markers = false;
     for (int k = 0; k < each.error.size() && each.error[k] > 0; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(100 * each.error[k]);
+      series.add(k, 100 * each.error[k]);
       if (series.y.back() < 0.1) break;  // below the axis
     }
     if (sweep < each.counted) continue;
@@ -144,13 +143,11 @@ void draw_needed(Page& page, const Rect& rect, const ExtremesRun& run) {
   counted.style.marker = Marker::square;
   for (int i = 0; i <= 70; ++i) {
     const double ratio = std::pow(10, -3 + i / 10.0);
-    formula.x.push_back(ratio);
-    formula.y.push_back(std::max(1.0, std::log(goal) / std::log(rate_by_formula(ratio))));
+    formula.add(ratio, std::max(1.0, std::log(goal) / std::log(rate_by_formula(ratio))));
   }
   for (const RatioRun& each : run.ratios) {
     if (each.ratio > 10000 || each.ratio < 0.001) continue;
-    counted.x.push_back(each.ratio);
-    counted.y.push_back(each.counted);
+    counted.add(each.ratio, each.counted);
   }
   plot.series = {formula, counted};
   draw_plot(page, rect, plot);
