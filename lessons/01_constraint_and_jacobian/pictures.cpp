@@ -114,8 +114,7 @@ void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& mot
 }
 
 std::string product(double factor, double value) {
-  const auto in_brackets = [](double x) { return x < 0 ? "(" + significant(x) + ")" : significant(x); };
-  return in_brackets(factor) + " × " + in_brackets(value);
+  return in_brackets(significant(factor)) + " × " + in_brackets(significant(value));
 }
 
 void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
@@ -154,7 +153,6 @@ void draw_differences(Page& page, const Story& story) {
   const List<Rect> parts = in_columns(page, {0.56, 0.44});
   const List<Quotient>& all = story.rod.quotients;
   const double factor = all[2].error / (all[2].h * all[2].h);
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double scale = epsilon * story.rod.length, lowest = 1e-13;
   const double least = all.back().h, most = all.front().h;
   const double first = std::sqrt(lowest / factor), last = scale / lowest;  // where the lines leave the chart

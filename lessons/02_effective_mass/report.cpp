@@ -5,8 +5,6 @@ namespace cairn::one_push {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 const Vec3<double>& velocity_after(const Push& push) { return push.after.bodies[{2}].velocity; }
 
 }  // namespace

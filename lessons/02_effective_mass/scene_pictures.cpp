@@ -45,8 +45,7 @@ void draw_turning(Page& page, const Camera& camera, const Push& push) {
   const FixedList<Point, 3> head = {base - side, tip, base + side};
   page.canvas().polyline(head,
                          {.width = 0.65 * page.sizes().arrow, .color = page.theme().velocity, .dash = {}});
-  TextStyle style = page.value();
-  style.align = Align::center;
+  TextStyle style = aligned(page.value(), Align::center);
   style.color = page.theme().velocity;
   style.size = render::large_text;
   style.bold = true;

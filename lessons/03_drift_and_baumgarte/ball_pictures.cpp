@@ -29,10 +29,6 @@ double highest_peak(const DriftRuns& all) {
 
 int last_step(const DriftRuns& all) { return all.balls[0].steps.size() - 1; }
 
-std::string in_brackets(double value) {
-  return value < 0 ? "(" + fixed(value, 2) + ")" : fixed(value + 0.0, 2);
-}
-
 Equation equation_of(const Page& page, const DriftRuns& all, int step) {
   const BallRun& run = ball_of(all, 1);
   const double free = run.speed[step - 1] - gravity * all.settings.dt;
@@ -41,7 +37,7 @@ Equation equation_of(const Page& page, const DriftRuns& all, int step) {
   return {.number = "eq (22), β = 1",
           .symbols = "λ = (ζ − j·v) / (j M⁻¹ j^{T} Δt)",
           .numbers = fmt::format("= ({} − {}) / (1 × {:.4g})", fixed(run.zeta[step] + 0.0, 2),
-                                 in_brackets(free), all.settings.dt),
+                                 in_brackets(fixed(free, 2)), all.settings.dt),
           .result = fmt::format("= {} N{}", fixed(wanted + 0.0, 0), clamped),
           .color = page.theme().normal};
 }

@@ -3,15 +3,6 @@
 
 namespace cairn::drift {
 
-namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-/// Without what rounding leaves of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
-
-}  // namespace
-
 void print_scenes(Lesson& lesson, const DriftRuns& all) {
   lesson.print(
       "Scenes: a pendulum, a hanging weight, a ball in the ground; one row each, and one push a step");

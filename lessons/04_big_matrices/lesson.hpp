@@ -90,9 +90,6 @@ void check_matrices(Lesson& lesson, const StackRun& run);
 void check_solution(Lesson& lesson, const StackRun& run);
 CsvTable entries_table(const StackRun& run);
 
-/// Without a minus in front of what rounding left of a zero.
-double cleaned(double value);
-
 /// The matrices entry by entry, the elimination, and what comes of lambda.
 List<Shot> stack_shots(const StackRun& run);
 
@@ -120,11 +117,5 @@ List<MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd& stage,
 List<std::string> column_names(int boxes);
 /// "1", "2", ...
 List<std::string> row_names(int rows);
-/// A count with a space between its thousands: "90 000".
-std::string in_thousands(double count);
-/// Negative numbers, as behind an operator.
-std::string in_brackets(const std::string& number);
-/// As many decimals as it needs, up to three.
-std::string brief(double value);
 
 }  // namespace cairn::big

@@ -8,8 +8,7 @@ namespace {
 /// Beside the stack: right-aligned at a left side, with its unit if there is room.
 void write_beside(Page& page, const Camera& camera, const Point& at, const std::string& text,
                   const std::string& shorter, bool left) {
-  TextStyle style = page.value();
-  style.align = left ? Align::right : Align::left;
+  TextStyle style = aligned(page.value(), left ? Align::right : Align::left);
   const double width = page.canvas().text_width(text, style);
   const Rect& view = camera.viewport;
   const bool fits = left ? at.x() - width > view.x : at.x() + width < view.x + view.width;
@@ -154,23 +153,6 @@ List<std::string> row_names(int rows) {
   List<std::string> names;
   for (int row = 1; row <= rows; ++row) names.push_back(fmt::format("{}", row));
   return names;
-}
-
-std::string brief(double value) {
-  std::string text = fixed(value, 3);
-  while (text.ends_with('0')) text.pop_back();
-  if (text.ends_with('.')) text.pop_back();
-  return text;
-}
-
-std::string in_thousands(double count) {
-  std::string digits = fmt::format("{:.0f}", count);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, "\u00a0");
-  return digits;
-}
-
-std::string in_brackets(const std::string& number) {
-  return number.starts_with("−") ? "(" + number + ")" : number;
 }
 
 List<Shot> stack_shots(const StackRun& run) {

@@ -3,14 +3,6 @@
 
 namespace cairn::big {
 
-namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-}  // namespace
-
-double cleaned(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
-
 void print_scene(Lesson& lesson, const StackRun& run) {
   lesson.print(fmt::format(
       "Scene: {} unit boxes on the ground, the uppermost of {:g} kg, the others of 1 kg; g = {:g} m/s², "
@@ -81,10 +73,9 @@ void print_solution(Lesson& lesson, const StackRun& run) {
 void print_growth(Lesson& lesson, const StackRun& run) {
   lesson.print("boxes    numbers in J    not 0    in A    not 0    multiplications, if A were full");
   for (const Growth& growth : run.growth) {
-    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>13}", growth.boxes,
-                             in_thousands(growth.all_of_J), in_thousands(growth.used_of_J),
-                             in_thousands(growth.all_of_A), in_thousands(growth.used_of_A),
-                             in_thousands(growth.elimination)));
+    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>13}", growth.boxes, spaced(growth.all_of_J),
+                             spaced(growth.used_of_J), spaced(growth.all_of_A), spaced(growth.used_of_A),
+                             spaced(growth.elimination)));
   }
   lesson.print();
 }

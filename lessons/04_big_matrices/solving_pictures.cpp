@@ -125,7 +125,7 @@ void draw_growth(Page& page, const StackRun& run) {
                 "takes {:.1f} million multiplications where A is full, and contacts that may only push need "
                 "several tries. So solvers for games sweep over the rows instead, and "
                 "sequential impulses (lesson 06) never build A at all.",
-                largest.boxes, in_thousands(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination),
+                largest.boxes, spaced(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination),
             question_growth);
 }
 

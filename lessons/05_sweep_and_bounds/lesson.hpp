@@ -113,8 +113,6 @@ Shot answer_shot(const SweepRun& run);
 void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active);
 /// (28) with the numbers of one update, and what became of it.
 Equation equation_28(const Page& page, const SystemMatrices<double>& system, const Swept& swept, int update);
-/// As many decimals as it needs, up to `most`.
-std::string brief(double value, int most = 3);
 
 // The plane of the two lambda of the rod.
 

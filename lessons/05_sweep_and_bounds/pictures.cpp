@@ -5,10 +5,6 @@ namespace cairn::sweeps {
 
 namespace {
 
-std::string with_brackets(const std::string& number) {
-  return number.starts_with("−") ? "(" + number + ")" : number;
-}
-
 void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
   const Swept& up = run.stack.up;
   const int active = up.updates[k].row;
@@ -199,13 +195,6 @@ void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& sys
   draw_matrix(page, page.panel(rect, ""), view);
 }
 
-std::string brief(double value, int most) {
-  std::string text = fixed(value + 0.0, most);
-  while (text.ends_with('0')) text.pop_back();
-  if (text.ends_with('.')) text.pop_back();
-  return text == "−0" ? "0" : text;
-}
-
 Equation equation_28(const Page& page, const SystemMatrices<double>& system, const Swept& swept, int update) {
   const int i = swept.updates[update].row;
   std::string symbols = fmt::format("b_{{{}}}", i + 1);
@@ -216,7 +205,7 @@ Equation equation_28(const Page& page, const SystemMatrices<double>& system, con
     const double other = update > 0 ? swept.after[update - 1][j] : 0;
     rest -= system.A(i, j) * other;
     symbols += fmt::format(" − A_{{{}{}}} λ_{{{}}}", i + 1, j + 1, j + 1);
-    numbers += fmt::format(" − {} × {}", with_brackets(brief(system.A(i, j))), brief(other));
+    numbers += fmt::format(" − {} × {}", in_brackets(brief(system.A(i, j))), brief(other));
   }
   const double value = rest / system.A(i, i);
   const double after = swept.after[update][i];

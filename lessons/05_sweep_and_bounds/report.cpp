@@ -5,11 +5,6 @@ namespace cairn::sweeps {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-/// Without a minus in front of what rounding left of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
-
 std::string in_brackets(double value) {
   return value < 0 ? fmt::format("({:.4g})", value) : fmt::format("{:.4g}", cleaned(value));
 }

@@ -14,8 +14,7 @@ void draw_distance(Page& page, const Camera& camera, double from, double to) {
   const double y = -0.17;
   draw_length(page, camera.project({from, y}), camera.project({to, y}),
               {.width = 1.5, .color = page.theme().secondary_text});
-  TextStyle style = page.value();
-  style.align = Align::center;
+  TextStyle style = aligned(page.value(), Align::center);
   page.canvas().text(camera.project({(from + to) / 2, y}) + Point(0, 6 + style.size), brief(to - from) + " m",
                      style);
 }
@@ -31,8 +30,7 @@ struct RodScene {
 
 /// The name of a force, beside its arrow or a line lower or higher; `align` says where `at` is in it.
 void name_force(Page& page, const Rect& within, const Point& at, Align align, const std::string& name) {
-  TextStyle style = page.value();
-  style.align = align;
+  TextStyle style = aligned(page.value(), align);
   style.halo = page.theme().background;
   style.color = page.theme().normal;
   style.bold = !page.compact();
@@ -89,12 +87,8 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const RodScene&
   Camera camera = fit(inside, {{-0.8, -0.75}, {rod_length + 0.2, 1.75}});
   camera.center.y() = std::min(0.5, 0.5 * inside.height / camera.scale - 0.75);  // little of the ground
   page.canvas().push_clip(inside);
-  WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
   if (!shown.motion.empty()) draw_ghosts(page, camera, shown.motion);
-  draw_world(page, camera, run.rod.snapshot, look);
+  draw_world(page, camera, run.rod.snapshot, {.numbers = false, .contacts = false, .penetration = false});
   const double middle = rod_length / 2, support = run.settings.support;
   draw_forces(page, camera, run, shown);
   if (shown.asks) {

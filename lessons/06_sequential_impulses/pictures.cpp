@@ -58,20 +58,14 @@ BarChart lambda_bars(const StackRun& run, const Moment& moment) {
   return chart;
 }
 
-/// Negative numbers in brackets, where they follow an operator.
-std::string operand(double value, int decimals) {
-  const std::string text = fixed(value, decimals);
-  return value < 0 && text.front() != '0' ? "(" + text + ")" : text;
-}
-
 Equation equation_22(const Page& page, const StackRun& run, const Moment& moment) {
   const RowUpdate<double>& update = run.updates[moment.update].update;
   const double dt = run.settings.dt;
   Equation equation;
   equation.number = "line 9 of Algorithm 1: eq (22)";
   equation.symbols = "λ_{corrective} = (ζ − j·v) / (j M^{−1} j^{T} Δt)";
-  equation.numbers =
-      fmt::format("= (0 − {}) / ({:g} × {:g})", operand(update.row_velocity, 4), update.inverse_mass, dt);
+  equation.numbers = fmt::format("= (0 − {}) / ({:g} × {:g})", in_brackets(fixed(update.row_velocity, 4)),
+                                 update.inverse_mass, dt);
   equation.result = fmt::format("= {} N", fixed(update.corrective / dt, 3));
   equation.color = page.theme().normal;
   return equation;
@@ -141,8 +135,7 @@ void draw_heavy(Page& page, const Rect& rect, const StackRun& run, int sweep) {
                                           .earlier = velocities_after(run, 0),
                                           .largest_lambda = 2 * lambda_after(run, 1)[0],
                                           .largest_velocity = run.settings.gravity * run.settings.dt});
-  TextStyle style = page.label();
-  style.align = Align::center;
+  TextStyle style = aligned(page.label(), Align::center);
   const int boxes = run.settings.boxes;
   for (int i = 0; i < boxes; ++i) {
     const double mass = i + 1 == boxes ? run.settings.top : 1;

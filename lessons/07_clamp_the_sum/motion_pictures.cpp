@@ -18,11 +18,7 @@ void draw_motion(Page& page, const Rect& rect, const List<Snapshot>& motion, int
   List<Snapshot> earlier;
   for (int k = 0; k < step; k += outline_steps) earlier.push_back(motion[k]);
   draw_ghosts(page, camera, earlier);
-  WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
-  draw_world(page, camera, motion[step], look);
+  draw_world(page, camera, motion[step], {.numbers = false, .contacts = false, .penetration = false});
   page.canvas().pop_clip();
 }
 

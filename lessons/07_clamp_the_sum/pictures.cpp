@@ -20,8 +20,7 @@ void draw_foot_velocity(Page& page, const Camera& camera, const BoxRun& box, con
                 .tail = {box.foot[i] + edge, std::max(0.0, -velocity * metres)},
                 .value = {0, velocity}});
   }
-  TextStyle style = page.value();
-  style.align = i == 0 ? Align::right : Align::left;
+  TextStyle style = aligned(page.value(), i == 0 ? Align::right : Align::left);
   const Point at = camera.project({0.56 * outwards, 0.12}) + Point(10 * outwards, 0);
   page.canvas().text(at, fixed(velocity, 2, Sign::always) + " m/s", style);
   style.color = page.theme().secondary_text;
@@ -187,11 +186,7 @@ void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, c
   camera.center.y() = std::min(0.54, 0.5 * rect.height / camera.scale - 0.1);  // little of the ground
   const double tallest = 0.9;                                                  // [m]
   page.canvas().push_clip(rect);
-  WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
-  draw_world(page, camera, box.snapshot, look);
+  draw_world(page, camera, box.snapshot, {.numbers = false, .contacts = false, .penetration = false});
   const ArrowScale scale{
       .pixels_per_unit = tallest * camera.scale / largest, .longest = 1.15 * camera.scale, .unit = "N s"};
   for (const int i : {0, 1}) draw_foot_velocity(page, camera, box, view, i);

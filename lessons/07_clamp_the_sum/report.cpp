@@ -5,8 +5,6 @@ namespace cairn::feet {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
 const char* name_of(Clamped clamped) {
   switch (clamped) {
     case Clamped::increment:

@@ -30,8 +30,7 @@ void draw_pair(Page& page, const PairField& field, const Moment& moment, int i) 
     bar(0, 0.8, moment.unclamped[i], {.outline = page.theme().secondary_text, .outline_width = 1.5});
   const bool beside = moment.active >= 0 && std::abs(i - moment.active) == 1;
   if (!active && (beside || (i % 5 != 4 && i != 0))) return;
-  TextStyle name = page.tick();
-  name.align = Align::center;
+  TextStyle name = aligned(page.tick(), Align::center);
   name.bold = active;
   page.canvas().text({left + 0.4 * field.pitch, field.rect.y + field.rect.height + name.size + 6},
                      fmt::format("{}", i + 1), name);
@@ -59,8 +58,7 @@ void draw_pairs(Page& page, const Rect& rect, const Moment& moment, const Range&
     canvas.text({x + 18, rect.y + 29}, name, page.label());
     x += 80;
   }
-  TextStyle tick = page.tick();
-  tick.align = Align::right;
+  TextStyle tick = aligned(page.tick(), Align::right);
   const double gutter = canvas.text_width("−000", tick) + 6;
   PairField field{{inside.x + gutter, inside.y + 6, inside.width - gutter, inside.height - tick.size - 14}};
   field.per_newton = field.rect.height / (range.high - range.low);
@@ -90,8 +88,7 @@ void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) 
 void draw_two_bodies(Page& page, const Rect& rect) {
   const double radius = 0.22 * rect.height;
   const Point middle(rect.x + rect.width / 2, rect.y + rect.height / 2);
-  TextStyle style = page.label();
-  style.align = Align::center;
+  TextStyle style = aligned(page.label(), Align::center);
   for (const double side : {-1.0, 1.0}) {
     const Point at = middle + Point(side * 1.5 * radius, 0), to = middle + Point(side * 0.55 * radius, 0);
     page.canvas().circle(at, radius,

@@ -82,8 +82,7 @@ void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const Series
   const Camera camera =
       draw_tower_loads(page, view, all.warm.frames.front(), guess,
                        {.box_weight = gravity, .largest = 1.5 * all.settings.weight(), .color = style.color});
-  TextStyle text = page.value();
-  text.align = Align::right;
+  TextStyle text = aligned(page.value(), Align::right);
   for (int i = 0; i < velocity.size(); ++i) {
     const double y = camera.project({0, i + 0.5}).y();
     const std::string moves = std::abs(velocity[i]) < 0.005 ? "0" : fixed(velocity[i], 1, Sign::always);
@@ -137,11 +136,8 @@ void draw_guest(Page& page, const WarmStart& all) {
   const int step = worst_guest_step(all);
   const Rect inside = page.panel(parts[0], "");
   const Camera camera = fit(inside, {{-2.4, -0.6}, {1.2, all.settings.boxes + 0.4}});
-  WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  look.numbers = false;
-  draw_world(page, camera, all.guest.frames[step], look);
+  draw_world(page, camera, all.guest.frames[step],
+             {.numbers = false, .contacts = false, .penetration = false});
   Plot plot{.title = "load λ_{1} on the lowest box (N)"};
   const int first = all.guest.by_key.size() / 4;  // once the first swings are over
   plot.x = {.title = "step", .min = first, .max = all.settings.steps};

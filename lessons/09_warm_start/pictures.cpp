@@ -80,8 +80,7 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, c
   if (shown.is_first)
     lines.insert(lines.end(), {"bar: load", "tick: to carry", fmt::format("pale: last {} steps", lately)});
   for (int i = 0; i < lines.size(); ++i) {
-    TextStyle text = i < (swings ? 3 : 2) ? page.value() : page.secondary();
-    text.align = Align::right;
+    TextStyle text = aligned(i < (swings ? 3 : 2) ? page.value() : page.secondary(), Align::right);
     page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
   }
 }

@@ -5,8 +5,6 @@ namespace cairn::warm {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
 std::string listed(const List<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += fmt::format(" {:>7.4g}", number);

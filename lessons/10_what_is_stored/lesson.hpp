@@ -83,8 +83,6 @@ enum class Entry { zero = 0, printed_only = -1, true_entry = 1, missed = 2 };
 /// For every pair of rows: whether it is in A, and whether (30) as printed counts it.
 List<List<Entry>> pattern(const VelocityProblem<double>& problem);
 
-/// "640 000", with spaces that do not break a line.
-std::string spaced(double number);
 /// "312.5 KiB"
 std::string bytes_text(double bytes);
 

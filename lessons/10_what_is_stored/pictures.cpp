@@ -26,12 +26,8 @@ void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::M
   const Camera camera = fit(inside, {{-half, -0.5}, {half, 3.3}});
   const VelocityProblem<double>& problem = run.problems[smallest];
   const ConstraintRow<double>& row = problem.rows[active];
-  WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  look.active_a = row.a;
-  look.active_b = row.b;
-  draw_world(page, camera, run.snapshots[smallest], look);
+  draw_world(page, camera, run.snapshots[smallest],
+             {.active_a = row.a, .active_b = row.b, .contacts = false, .penetration = false});
   const List<SnapshotContact>& contacts = run.snapshots[smallest].contacts;
   TextStyle style = page.tick();
   for (int j = 0; j < contacts.size(); ++j) {

@@ -7,8 +7,6 @@ namespace cairn::stored {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
 /// The full A of base 10; that of the largest would take as long as all the rest.
 void check_entries(Lesson& lesson, const StoredRun& run) {
   const VelocityProblem<double>& problem = run.problems[2];

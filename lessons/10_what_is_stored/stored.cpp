@@ -162,13 +162,6 @@ List<List<Entry>> pattern(const VelocityProblem<double>& problem) {
   return result;
 }
 
-std::string spaced(double number) {
-  std::string text = fmt::format("{:.0f}", number);
-  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
-    text.insert(static_cast<std::size_t>(at), "\u00a0");
-  return text;
-}
-
 std::string bytes_text(double bytes) {
   if (bytes < 1024) return fmt::format("{:.0f} B", bytes);
   if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", bytes / 1024);

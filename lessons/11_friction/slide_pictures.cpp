@@ -29,8 +29,7 @@ void draw_engine(Page& page, const Rect& rect, const std::string& name, const Se
   draw_arrow(page, camera,
              {.pixels_per_unit = 1.2 * camera.scale / fastest, .longest = 2 * camera.scale, .unit = "m/s"},
              {.kind = ArrowKind::velocity, .tail = block.pose.position, .value = velocity});
-  TextStyle value = page.value();
-  value.align = Align::right;
+  TextStyle value = aligned(page.value(), Align::right);
   const double speed = slope.downhill().dot(velocity);
   page.canvas().text({inside.x + inside.width, inside.y + value.size}, fixed(speed, 3) + " m/s", value);
 }

@@ -101,7 +101,7 @@ double rounding(const Slope& slope, double speed) {
   // In each step the velocity is rounded once for gravity, once for each of four rows of the warm start, and
   // a few times more in sweeps that hardly change it: 16 half ulps.
   const double largest = speed + slope.gravity * slope.dt;
-  return 8 * std::numeric_limits<double>::epsilon() * largest * slope.steps;
+  return 8 * epsilon * largest * slope.steps;
 }
 
 double blind_angle(const Slope& slope, double friction) {

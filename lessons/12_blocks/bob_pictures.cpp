@@ -20,8 +20,7 @@ void draw_bob(Page& page, const Rect& rect, const BobRun& run, int step, const s
   page.canvas().push_clip(inside);
   const Point pin = camera.project({0, 0});
   page.canvas().circle(pin, camera.scale, {.outline = page.theme().inactive, .outline_width = 2});
-  TextStyle text = page.label();
-  text.align = Align::center;
+  TextStyle text = aligned(page.label(), Align::center);
   page.canvas().text(camera.project({0, 1}) - Point(0, 8), "where the pin should hold it", text);
   List<Vec2<double>> path;
   for (int k = 0; k <= step && is_inside(inside, camera.project(run.path[k])); ++k)

@@ -39,10 +39,7 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
     moved.bodies[body].pose.position += v.head<2>();
     moved.bodies[body].pose.angle += v.z();
   }
-  WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  draw_world(page, camera, moved, look);
+  draw_world(page, camera, moved, {.contacts = false, .penetration = false});
   page.canvas().pop_clip();
   const Pose<double>& last = moved.bodies[{moved.bodies.size() - 1}].pose;
   const double drop = -last.position.y() - beam_length / 2 * std::sin(last.angle);

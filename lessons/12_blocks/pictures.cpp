@@ -47,10 +47,7 @@ void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& 
   const double beside = std::max(end.x(), 1.0) + 0.5;
   const Camera camera = fit(inside, {{-1.4, -0.7}, {beside + 0.3, std::max(end.y(), 1.3) + 0.1}});
   page.canvas().push_clip(inside);
-  WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  draw_world(page, camera, rod.start, look);
+  draw_world(page, camera, rod.start, {.numbers = false, .contacts = false});
   const ArrowScale speeds{.pixels_per_unit = 3 * camera.scale, .longest = 0.7 * camera.scale, .unit = "m/s"};
   if (moment.slip.norm() > 1e-6)
     draw_arrow(page, camera, speeds, {.kind = ArrowKind::velocity, .value = moment.slip});

@@ -5,8 +5,6 @@ namespace cairn::soft {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
 double largest_gap(const List<double>& a, const List<double>& b) {
   double gap = 0;
   for (int k = 0; k < a.size(); ++k) gap = std::max(gap, std::abs(a[k] - b[k]));

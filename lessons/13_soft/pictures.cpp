@@ -79,8 +79,7 @@ void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const We
   if (step == 1 && is_soft)
     draw_push(page, camera, all, tail + Vec2<double>(0.3, 0), force, "force: " + newtons(all, force),
               ArrowKind::inactive);
-  TextStyle name = page.label();
-  name.align = Align::center;
+  TextStyle name = aligned(page.label(), Align::center);
   const Point at = camera.project({x, -0.08});
   page.canvas().text({at.x(), at.y() + name.size}, is_soft ? "soft row" : "rod: γ = 0, same β", name);
 }
@@ -128,11 +127,10 @@ void draw_step(Page& page, const SoftRuns& all, int step) {
   draw_weights(page, parts[0], all, step);
   draw_errors(page, parts[1], all, step);
   const StepRow& row = all.spring.rows[step];
-  const std::string free = fixed(row.free, 3);
   page.equation(parts[2], {.number = "eq (22), the soft row",
                            .symbols = "λ = (ζ − j·v) / ((A + γ) Δt)",
                            .numbers = fmt::format("= ({} − {}) / (({:.3g} + {:.3g}) × {:.3g})",
-                                                  fixed(row.zeta, 3), row.free < 0 ? "(" + free + ")" : free,
+                                                  fixed(row.zeta, 3), in_brackets(fixed(row.free, 3)),
                                                   1 / all.settings.mass, all.spring.gamma, all.settings.dt),
                            .result = fmt::format("= {} N", fixed(row.lambda, 2)),
                            .algorithm = fmt::format("ζ = −β c / Δt, β = {:.4f} in both", all.spring.beta),

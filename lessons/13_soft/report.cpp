@@ -5,9 +5,6 @@ namespace cairn::soft {
 
 namespace {
 
-/// Without what rounding leaves of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
-
 void print_spring(Lesson& lesson, const SoftRuns& all) {
   const SoftSettings& settings = all.settings;
   const double k = stiffness(settings);

@@ -92,11 +92,9 @@ void name_limits(Page& page, const Camera& camera, double limit) {
   const Point corner = camera.project({-limit, limit});
   page.canvas().text({corner.x(), corner.y() - 8}, "square",
                      name_style(page, size, page.theme().box2d.color));
-  TextStyle circle = name_style(page, size, page.theme().si.color);
-  circle.align = Align::right;
+  TextStyle circle = aligned(name_style(page, size, page.theme().si.color), Align::right);
   page.canvas().text(camera.project({0.66 * limit, -0.64 * limit}), "circle", circle);
-  TextStyle tick = page.tick();
-  tick.align = Align::right;
+  TextStyle tick = aligned(page.tick(), Align::right);
   page.canvas().text(camera.project({limit, 0}) - Point(8, 6), fmt::format("μN = {:g} N", limit), tick);
 }
 
@@ -133,8 +131,8 @@ void draw_dimension(Page& page, const Camera& camera, const Vec2<double>& end, d
   const Point from = camera.project({0, 0}), to = camera.project(end);
   const Point along = (to - from).normalized(), across(-along.y(), along.x());
   draw_length(page, from + aside * across, to + aside * across, {.width = 2, .color = color});
-  TextStyle style = name_style(page, page.sizes().title, color);
-  style.align = aside > 0 ? Align::left : Align::right;
+  TextStyle style =
+      aligned(name_style(page, page.sizes().title, color), aside > 0 ? Align::left : Align::right);
   page.canvas().text(0.5 * (from + to) + (aside + (aside > 0 ? 14 : -14)) * across, text, style);
 }
 

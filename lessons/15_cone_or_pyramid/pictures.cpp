@@ -110,8 +110,7 @@ void draw_step(Page& page, const Slides& all, int k) {
     const SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
     draw_marker(page.canvas(), camera.project(lambda), style.marker, 1.3 * page.sizes().marker, style.color);
     base += 1.4 * page.sizes().title;
-    TextStyle text = name_style(page, page.sizes().title, style.color);
-    text.align = Align::right;
+    TextStyle text = aligned(name_style(page, page.sizes().title, style.color), Align::right);
     page.canvas().text({camera.viewport.x + camera.viewport.width, base},
                        fmt::format("{}: {:.2f} N", is_circle ? "circle" : "square", lambda.norm()), text);
   }
@@ -166,8 +165,7 @@ void draw_question(Page& page, const Rect& rect, const Slides& all) {
   const List<Rect> halves = in_columns(page, rect, {0.5, 0.5});
   const Camera camera = draw_table(page, halves[0], all, 0);
   draw_way(page, camera, all.circle, 24);
-  TextStyle asked = name_style(page, page.sizes().title, page.theme().box2d.color);
-  asked.align = Align::right;
+  TextStyle asked = aligned(name_style(page, page.sizes().title, page.theme().box2d.color), Align::right);
   page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
                      asked);
   draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});

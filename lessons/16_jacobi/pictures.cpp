@@ -16,8 +16,7 @@ void draw_pushes(Page& page, const Camera& camera, const FeetRun& run, int sweep
   const ArrowScale forces{.pixels_per_unit = 1.55 * camera.scale / (weight * std::max(1.0, run.answer)),
                           .longest = 2 * camera.scale};
   const double metres = forces.pixels_per_unit / camera.scale;  // for a newton
-  TextStyle text = page.value();
-  text.align = Align::center;
+  TextStyle text = aligned(page.value(), Align::center);
   draw_arrow(page, camera, forces,
              {.kind = ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
   page.canvas().text(camera.project({weight_place, weight * metres + 0.03}),
@@ -81,9 +80,9 @@ void draw_sweep(Page& page, const FeetRun& run, int sweep) {
       parts[1],
       {.number = "eq (22), foot 1; the others do the same at the same time",
        .symbols = "λ ← max(0, λ − j·v / (A_{11} Δt))",
-       .numbers = fmt::format("= max(0, {} − {} / ({} × {:g}))", fixed(before, 2),
-                              speed < 0 ? "(" + fixed(speed, 3) + ")" : fixed(speed, 3),
-                              fixed(inverse_effective_mass(run.problem, run.problem.rows[0]), 4), time_step),
+       .numbers =
+           fmt::format("= max(0, {} − {} / ({} × {:g}))", fixed(before, 2), in_brackets(fixed(speed, 3)),
+                       fixed(inverse_effective_mass(run.problem, run.problem.rows[0]), 4), time_step),
        .result = fmt::format("= {} N", fixed(after, 2)),
        .algorithm = fmt::format("then v: {} → {} m/s", fixed(speed, 3), fixed(plain.speed[sweep], 3)),
        .color = page.theme().normal});

@@ -5,8 +5,6 @@ namespace cairn::everybody {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
 std::string numbers(const List<double>& values, const char* form) {
   std::string line;
   for (const double value : values) line += fmt::format(fmt::runtime(form), value);

@@ -5,7 +5,6 @@ namespace cairn::cost {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
 const FixedList<int, 5> shown_sweeps = {10, 20, 50, 100, 200};
 const FixedList<int, 5> shown_digits = {1, 2, 3, 6, 9};
 

@@ -5,8 +5,6 @@ namespace cairn::edges {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
-
 void print_ratios(Lesson& lesson, const ExtremesRun& run) {
   lesson.print("error left (%)     sweep 1       2      10     100    1000   to 1 %   ln 100 / ln(1 + 1/R)");
   for (auto each = run.ratios.rbegin(); each != run.ratios.rend(); ++each) {

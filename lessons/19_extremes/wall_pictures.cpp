@@ -41,8 +41,7 @@ void draw_top(Page& page, const Camera& camera, const EdgeCase& edge) {
   const Point left = camera.project({edge.view.lower.x(), edge.top});
   const Point right = camera.project({edge.view.upper.x(), edge.top});
   page.canvas().line(left, right, {.width = 2, .color = page.theme().normal, .dash = {6, 4}});
-  TextStyle text = page.tick();
-  text.align = Align::right;
+  TextStyle text = aligned(page.tick(), Align::right);
   page.canvas().text(right + Point(0, 1.3 * text.size), fmt::format("{:g} m", edge.top), text);
 }
 

@@ -39,8 +39,7 @@ void draw_island(Page& page, const Camera& camera, const Island& island, const s
   page.canvas().polyline(frame, {.width = page.sizes().axis,
                                  .color = asleep ? theme.inactive : theme.outline,
                                  .dash = asleep ? List<double>{2, 5} : List<double>{8, 5}});
-  TextStyle text = page.tick();
-  text.align = Align::center;
+  TextStyle text = aligned(page.tick(), Align::center);
   text.halo = theme.panel;
   const double x = (low.x() + high.x()) / 2, above = high.y() - 0.4 * text.size;
   page.canvas().text({x, above}, line, text);

@@ -16,6 +16,7 @@
 #include "cairn.hpp"
 #include "lessons/kit/layout.hpp"
 #include "lessons/kit/lesson.hpp"
+#include "lessons/kit/numbers.hpp"
 #include "lessons/kit/question.hpp"
 #include "lessons/kit/stack_panel.hpp"
 #include "lessons/kit/tower_panel.hpp"
@@ -56,5 +57,14 @@ using render::TableView;
 using render::TextStyle;
 using render::Theme;
 using render::WorldLook;
+
+/// The spacing of numbers near 1.
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The same type, with the point where it is written at its left end, its right end or its middle.
+inline TextStyle aligned(TextStyle style, Align align) {
+  style.align = align;
+  return style;
+}
 
 }  // namespace cairn
