@@ -25,9 +25,9 @@ double final_error(const Flight& flight, const List<Vec2<double>>& path) {
 }
 
 double rounding_of_height(const Flight& flight) {
-  // Every step rounds a height and a velocity, each by half an epsilon of its largest value; what a velocity has
-  // lost is missing in every later step. So n steps lose at most n epsilon(y) / 2 and n^2 dt epsilon(v) / 4. Twice
-  // that.
+  // Every step rounds a height and a velocity, each by half an epsilon of its largest value; what a velocity
+  // has lost is missing in every later step. So n steps lose at most n epsilon(y) / 2 and n^2 dt epsilon(v)
+  // / 4. Twice that.
   const Throw& thrown = flight.thrown;
   const double n = thrown.steps;
   double height = std::abs(thrown.start.y());
