@@ -145,18 +145,16 @@ List<Shot> pictures(const Story& story) {
                                              .scene = [&story](Page& page, const Rect& rect) {
                                                draw_scene(page, rect, story, {.asks = true});
                                              }})};
-  shots.push_back({.state = "one body, three numbers",
-                   .alt = "The box before the throw; a table of its position and its velocity; and M⁻¹ as a "
-                          "diagonal matrix: 1, 1 and 6.",
-                   .draw = [&story](Page& page) { draw_state(page, story); },
-                   .key = true});
+  shots.push_back(key_shot(story, "one body, three numbers",
+                           "The box before the throw; a table of its position and its velocity; and M⁻¹ as a "
+                           "diagonal matrix: 1, 1 and 6.",
+                           draw_state));
   for (int step = 1; step <= story.flight.thrown.steps; ++step) shots.push_back(step_shot(story, step));
-  shots.push_back({.state = "half the step, half the error",
-                   .alt =
-                       "The error at the end of the flight over the time step, on logarithmic axes: measured "
-                       "points on a line of slope 1, from the standard step to a sixteenth of it.",
-                   .draw = [&story](Page& page) { draw_convergence(page, story); },
-                   .key = true});
+  shots.push_back(
+      key_shot(story, "half the step, half the error",
+               "The error at the end of the flight over the time step, on logarithmic axes: measured "
+               "points on a line of slope 1, from the standard step to a sixteenth of it.",
+               draw_convergence));
   shots.push_back(shot_of_answer(story));
   return shots;
 }

@@ -178,11 +178,6 @@ void draw_differences(Page& page, const Story& story) {
   page.table(parts[1], "every kind of row in the library", table);
 }
 
-Shot shot(const Story& story, const std::string& state, const std::string& alt,
-          const std::function<void(Page&, const Story&)>& draw) {
-  return {.state = state, .alt = alt, .draw = [&story, draw](Page& page) { draw(page, story); }, .key = true};
-}
-
 Shot motion_shot(const Story& story, const Motion& motion, const std::string& state) {
   return shot(
       story, state,
@@ -205,11 +200,11 @@ List<Shot> motion_shots(const Story& story) {
 
 Shot nudge_shot(const Story& story, int k) {
   Shot made =
-      shot(story, fmt::format("the same by trying: {}", coordinate_names[k]),
-           fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for "
-                       "1 of it.",
-                       coordinate_names[k], story.rod.quotients[0].slope[k]),
-           [k](Page& page, const Story& all) { draw_nudge(page, all.rod, k); });
+      key_shot(story, fmt::format("the same by trying: {}", coordinate_names[k]),
+               fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for "
+                           "1 of it.",
+                           coordinate_names[k], story.rod.quotients[0].slope[k]),
+               [k](Page& page, const Story& all) { draw_nudge(page, all.rod, k); });
   made.key = k != 1;
   return made;
 }
@@ -238,25 +233,25 @@ List<Shot> rod_shots(const Story& story) {
                "fast each makes the rod longer",
                {.asked = true}))};
   shots.push_back(
-      shot(story, "c: where",
-           "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "
-           "four other places.",
-           draw_where));
+      key_shot(story, "c: where",
+               "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "
+               "four other places.",
+               draw_where));
   shots.push_back(
-      shot(story, "j: which way",
-           "An arrow along the rod, at right angles to the circle c = 0, and an arc around the box: "
-           "j = " +
-               components(story.rod.jacobian),
-           draw_jacobian));
+      key_shot(story, "j: which way",
+               "An arrow along the rod, at right angles to the circle c = 0, and an arc around the box: "
+               "j = " +
+                   components(story.rod.jacobian),
+               draw_jacobian));
   for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
   for (const Shot& next : motion_shots(story)) shots.push_back(next);
-  shots.push_back(shot(story, "jᵀ λ: how strong",
-                       "The pull of the rod as an arrow at the anchor and its torque as an arc.",
-                       draw_force));
-  shots.push_back(shot(story, "j against differences",
-                       "The error of a central difference against its step: it falls as h squared, then "
-                       "rounding takes over. Beside it every kind of row in the library.",
-                       draw_differences));
+  shots.push_back(key_shot(story, "jᵀ λ: how strong",
+                           "The pull of the rod as an arrow at the anchor and its torque as an arc.",
+                           draw_force));
+  shots.push_back(key_shot(story, "j against differences",
+                           "The error of a central difference against its step: it falls as h squared, then "
+                           "rounding takes over. Beside it every kind of row in the library.",
+                           draw_differences));
   shots.push_back(answer_shot(
       card(),
       frame_of(

@@ -170,28 +170,23 @@ void draw_others(Page& page, const Pushes& all) {
   page.table(parts[2], "what the box meets", table);
 }
 
-Shot shot(const Pushes& all, const std::string& state, const std::string& alt,
-          const std::function<void(Page&, const Pushes&)>& draw) {
-  return {.state = state, .alt = alt, .draw = [&all, draw](Page& page) { draw(page, all); }, .key = true};
-}
-
 /// The first and the last place are key frames; what the first push leaves is nothing.
 void append_pushes(const Pushes& all, List<Shot>& shots) {
   for (int i = 0; i < all.at.size(); ++i) {
     const Push& push = all.at[i];
     shots.push_back(
-        shot(all, fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
-             fmt::format("The peg at x = {:.3g} m pushes the box with {:.3f} N s upwards; equation "
-                         "(22) filled in.",
-                         push.x, push.impulse),
-             [i](Page& page, const Pushes& pushes) { draw_step(page, pushes, i); }));
+        key_shot(all, fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
+                 fmt::format("The peg at x = {:.3g} m pushes the box with {:.3f} N s upwards; equation "
+                             "(22) filled in.",
+                             push.x, push.impulse),
+                 [i](Page& page, const Pushes& pushes) { draw_step(page, pushes, i); }));
     shots.back().key = i != 1;
     shots.push_back(
-        shot(all, fmt::format("after push {} of 3", i + 1),
-             fmt::format("After the push the box moves at {:.3f} m/s and turns at {:.3f} rad/s, so "
-                         "that the contact stands still; outlines show where it goes.",
-                         push.after.bodies[{2}].velocity.y(), push.after.bodies[{2}].velocity.z()),
-             [i](Page& page, const Pushes& pushes) { draw_after(page, pushes, i); }));
+        key_shot(all, fmt::format("after push {} of 3", i + 1),
+                 fmt::format("After the push the box moves at {:.3f} m/s and turns at {:.3f} rad/s, so "
+                             "that the contact stands still; outlines show where it goes.",
+                             push.after.bodies[{2}].velocity.y(), push.after.bodies[{2}].velocity.z()),
+                 [i](Page& page, const Pushes& pushes) { draw_after(page, pushes, i); }));
     shots.back().key = i != 0;
   }
 }
@@ -204,21 +199,21 @@ List<Shot> peg_shots(const Pushes& all) {
       frame_of(all, "before the push",
                "A box that falls on a peg below its corner, and the question how hard the peg has to push",
                {.asked = true, .named = true}))};
-  shots.push_back(shot(all, "the row",
-                       "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",
-                       draw_row));
+  shots.push_back(key_shot(all, "the row",
+                           "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",
+                           draw_row));
   append_pushes(all, shots);
-  shots.push_back(shot(all, "here",
-                       "Bars along the underside of the box: the effective mass is largest below the centre.",
-                       draw_here));
+  shots.push_back(key_shot(
+      all, "here", "Bars along the underside of the box: the effective mass is largest below the centre.",
+      draw_here));
   shots.push_back(
-      shot(all, "this way",
-           "Below the centre and off-centre a closed curve: its distance from the contact is "
-           "the effective mass in that direction, all of the box towards its centre and less across.",
-           draw_this_way));
-  shots.push_back(shot(all, "against what",
-                       "The effective mass against the mass of the peg: never more than the box alone.",
-                       draw_others));
+      key_shot(all, "this way",
+               "Below the centre and off-centre a closed curve: its distance from the contact is "
+               "the effective mass in that direction, all of the box towards its centre and less across.",
+               draw_this_way));
+  shots.push_back(key_shot(all, "against what",
+                           "The effective mass against the mass of the peg: never more than the box alone.",
+                           draw_others));
   const std::string answer = fmt::format(
       "Less: {} N s instead of {}. Off-centre the box also turns, so its corner yields more easily: here, "
       "this way, the effective mass is {} kg instead of {} kg.",

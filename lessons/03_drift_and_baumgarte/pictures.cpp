@@ -184,11 +184,10 @@ List<Shot> ball_shots(const DriftRuns& all) {
     if (step % stride != 0 && !keys.contains(step)) continue;
     shots.push_back(ball_shot(all, step, keys.contains(step)));
   }
-  shots.push_back({.state = "how deep is too deep",
-                   .alt = "The largest depth that the ground can hold falls like one over β squared; the "
-                          "library's own limits lie on the formula.",
-                   .draw = [&all](Page& page) { draw_limits(page, all); },
-                   .key = true});
+  shots.push_back(key_shot(all, "how deep is too deep",
+                           "The largest depth that the ground can hold falls like one over β squared; the "
+                           "library's own limits lie on the formula.",
+                           draw_limits));
   return shots;
 }
 

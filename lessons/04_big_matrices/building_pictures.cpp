@@ -152,10 +152,9 @@ Shot entry_shot(const StackRun& run, int i, int j) {
 List<Shot> building_shots(const StackRun& run) {
   const int n = run.boxes();
   List<Shot> shots;
-  shots.push_back({.state = "v and M⁻¹",
-                   .alt = "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
-                   .draw = [&run](Page& page) { draw_masses(page, run); },
-                   .key = true});
+  shots.push_back(key_shot(run, "v and M⁻¹",
+                           "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
+                           draw_masses));
   for (int row = 0; row < n; ++row) {
     shots.push_back({.state = fmt::format("J · row {} of {}", row + 1, n),
                      .alt = fmt::format("Row {} of J; its boxes part at {:.3f} m/s.", row + 1,

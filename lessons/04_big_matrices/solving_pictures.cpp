@@ -152,19 +152,16 @@ List<Shot> solving_shots(const StackRun& run) {
          .key = row + 1 == n});
   }
   for (int row = n - 1; row >= 0; --row) shots.push_back(back_shot(run, row));
-  shots.push_back({.state = "v₂ = v₁ + M⁻¹ Jᵀ λ Δt",
-                   .alt = "Velocities before and after, and the two pushes upon each box.",
-                   .draw = [&run](Page& page) { draw_velocities(page, run); },
-                   .key = true});
-  shots.push_back({.state = "gravity after b",
-                   .alt = "The same stack with gravity added after b was formed: no contact holds it.",
-                   .draw = [&run](Page& page) { draw_without_gravity(page, run); },
-                   .key = true});
-  shots.push_back({.state = "3 to 300 boxes",
-                   .alt = "Numbers in J and A, and multiplications of an elimination, against the number of "
-                          "boxes.",
-                   .draw = [&run](Page& page) { draw_growth(page, run); },
-                   .key = true});
+  shots.push_back(key_shot(run, "v₂ = v₁ + M⁻¹ Jᵀ λ Δt",
+                           "Velocities before and after, and the two pushes upon each box.",
+                           draw_velocities));
+  shots.push_back(key_shot(run, "gravity after b",
+                           "The same stack with gravity added after b was formed: no contact holds it.",
+                           draw_without_gravity));
+  shots.push_back(key_shot(run, "3 to 300 boxes",
+                           "Numbers in J and A, and multiplications of an elimination, against the number of "
+                           "boxes.",
+                           draw_growth));
   return shots;
 }
 

@@ -161,12 +161,11 @@ Shot update_shot(const SweepRun& run, int k) {
 List<Shot> stack_shots(const SweepRun& run) {
   List<Shot> shots;
   for (int k = 0; k < run.stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
-  shots.push_back(
-      {.state = fmt::format("A · {} sweeps", run.settings.sweeps),
-       .alt = "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
-              "lines of the same slope.",
-       .draw = [&run](Page& page) { draw_errors(page, run); },
-       .key = true});
+  shots.push_back(key_shot(
+      run, fmt::format("A · {} sweeps", run.settings.sweeps),
+      "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
+      "lines of the same slope.",
+      draw_errors));
   return shots;
 }
 

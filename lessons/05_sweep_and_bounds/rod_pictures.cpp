@@ -216,17 +216,14 @@ List<Shot> rod_shots(const SweepRun& run) {
     if (is_cut(swept.updates[k])) first_cut = k;
   }
   List<Shot> shots;
-  shots.push_back({.state = "B · without clamp",
-                   .alt =
-                       "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
-                       "the hatched part of the plane where λ is negative.",
-                   .draw = [&run](Page& page) { draw_unbounded(page, run); },
-                   .key = true});
+  shots.push_back(
+      key_shot(run, "B · without clamp",
+               "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
+               "the hatched part of the plane where λ is negative.",
+               draw_unbounded));
   for (int k = 0; k < swept.updates.size(); ++k) shots.push_back(rod_update_shot(run, k, first_cut));
-  shots.push_back({.state = "B · solved",
-                   .alt = "λ and w of both supports: one is zero where the other is not.",
-                   .draw = [&run](Page& page) { draw_complement(page, run); },
-                   .key = true});
+  shots.push_back(key_shot(run, "B · solved", "λ and w of both supports: one is zero where the other is not.",
+                           draw_complement));
   return shots;
 }
 

@@ -177,11 +177,11 @@ List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
            "Three stacked boxes, the uppermost a heavy one, all falling at the same speed, and the question.",
        .scene = scene_after(0)})};
   for (int i = 0; i < run.updates.size(); ++i) shots.push_back(update_shot(run, i));
-  shots.push_back({.state = fmt::format("all {} sweeps", run.settings.sweeps),
-                   .alt = "λ of the contacts over the sweeps, rising to the exact values; and the velocities "
-                          "of the boxes, going to zero.",
-                   .draw = [&run](Page& page) { draw_course(page, run); },
-                   .key = true});
+  shots.push_back(
+      key_shot(run, fmt::format("all {} sweeps", run.settings.sweeps),
+               "λ of the contacts over the sweeps, rising to the exact values; and the velocities "
+               "of the boxes, going to zero.",
+               draw_course));
   const List<double> after = velocities_after(heavy, 1);
   const std::string fall = significant(-after.back());
   shots.push_back(answer_shot(

@@ -138,19 +138,17 @@ List<Shot> motion_shots(const FeetRun& run) {
 }
 
 Shot spread_shot(const FeetRun& run) {
-  return {.state = "feet at any distance",
-          .alt =
-              "How fast the box and its left foot rise after a landing with each push clamped, against the "
-              "distance of the feet: nothing from 0.408 m on.",
-          .draw = [&run](Page& page) { draw_spread(page, run); },
-          .key = true};
+  return key_shot(
+      run, "feet at any distance",
+      "How fast the box and its left foot rise after a landing with each push clamped, against the "
+      "distance of the feet: nothing from 0.408 m on.",
+      draw_spread);
 }
 
 Shot side_shot(const FeetRun& run) {
-  return {.state = "B · both feet at one side",
-          .alt = "A box with both feet right of its middle, twice: clamped once at the end it is thrown up.",
-          .draw = [&run](Page& page) { draw_side(page, run); },
-          .key = true};
+  return key_shot(run, "B · both feet at one side",
+                  "A box with both feet right of its middle, twice: clamped once at the end it is thrown up.",
+                  draw_side);
 }
 
 }  // namespace cairn::feet

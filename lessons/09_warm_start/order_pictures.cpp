@@ -164,26 +164,22 @@ void draw_guest(Page& page, const WarmStart& all) {
 
 List<Shot> order_shots(const WarmStart& all) {
   return {
-      {.state = "error against steps",
-       .alt = "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
-              "swings below a line that falls half as steeply.",
-       .draw = [&all](Page& page) { draw_errors(page, all); },
-       .key = true},
-      {.state = "one step from nothing",
-       .alt = "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
-       .draw = [&all](Page& page) { draw_cold_sweeps(page, all); },
-       .key = true},
-      {.state = "rows in another order",
-       .alt = "First guesses by number and by key when rows come from the top down: by number the lowest "
-              "contact "
-              "has the smallest guess, all boxes but one fall, and the top box is thrown up.",
-       .draw = [&all](Page& page) { draw_reversed(page, all); },
-       .key = true},
-      {.state = "a ball bounces beside it",
-       .alt = "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
-              "every bounce.",
-       .draw = [&all](Page& page) { draw_guest(page, all); },
-       .key = true}};
+      key_shot(all, "error against steps",
+               "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
+               "swings below a line that falls half as steeply.",
+               draw_errors),
+      key_shot(all, "one step from nothing",
+               "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
+               draw_cold_sweeps),
+      key_shot(all, "rows in another order",
+               "First guesses by number and by key when rows come from the top down: by number the lowest "
+               "contact "
+               "has the smallest guess, all boxes but one fall, and the top box is thrown up.",
+               draw_reversed),
+      key_shot(all, "a ball bounces beside it",
+               "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
+               "every bounce.",
+               draw_guest)};
 }
 
 }  // namespace cairn::warm

@@ -61,17 +61,15 @@ void draw_tray(Page& page, const StoredRun& run) {
 
 List<Shot> cost_shots(const StoredRun& run) {
   return {
-      {.state = "memory and work",
-       .alt = "Two charts against rows, all axes logarithmic. Bytes: a full A rises twice as steeply as a "
-              "sparse one and SI. Multiply-adds of a sweep: naive and full A rise with the square, sparse A "
-              "and SI lie together.",
-       .draw = [&run](Page& page) { draw_cost(page, run); },
-       .key = true},
-      {.state = "a scene without zeros",
-       .alt = "Boxes in a row on one tray; the pattern of a pyramid's A, a thin band, beside that of the "
-              "tray with as many rows, which is full.",
-       .draw = [&run](Page& page) { draw_tray(page, run); },
-       .key = true}};
+      key_shot(run, "memory and work",
+               "Two charts against rows, all axes logarithmic. Bytes: a full A rises twice as steeply as a "
+               "sparse one and SI. Multiply-adds of a sweep: naive and full A rise with the square, sparse A "
+               "and SI lie together.",
+               draw_cost),
+      key_shot(run, "a scene without zeros",
+               "Boxes in a row on one tray; the pattern of a pyramid's A, a thin band, beside that of the "
+               "tray with as many rows, which is full.",
+               draw_tray)};
 }
 
 }  // namespace cairn::stored

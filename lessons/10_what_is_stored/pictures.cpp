@@ -220,11 +220,10 @@ Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const Veloci
 List<Shot> stored_shots(const StoredRun& run) {
   List<Shot> shots = {question_shot(card(), question_frame(run))};
   for (int row = 0; row < run.problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
-  shots.push_back({.state = "three patterns",
-                   .alt = "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
-                          "thinner, and a grey block that only equation 30 counts.",
-                   .draw = [&run](Page& page) { draw_patterns(page, run); },
-                   .key = true});
+  shots.push_back(key_shot(run, "three patterns",
+                           "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
+                           "thinner, and a grey block that only equation 30 counts.",
+                           draw_patterns));
   for (const List<Shot>& part : {case_shots(run), cost_shots(run)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }

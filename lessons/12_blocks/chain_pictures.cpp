@@ -171,11 +171,10 @@ List<Shot> chain_shots(const BlocksRuns& all) {
          .key = sweep == 10});
   }
   shots.push_back(
-      {.state = "B · all chains and a tower",
-       .alt = "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower; beside "
-              "it A of three welded beams with the square of each weld framed.",
-       .draw = [&all](Page& page) { draw_table(page, all); },
-       .key = true});
+      key_shot(all, "B · all chains and a tower",
+               "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower; beside "
+               "it A of three welded beams with the square of each weld framed.",
+               draw_table));
   return shots;
 }
 

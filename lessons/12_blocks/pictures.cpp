@@ -175,11 +175,9 @@ List<Shot> rod_shots(const BlocksRuns& all) {
                      .draw = [&all, i](Page& page) { draw_update(page, all, i); },
                      .key = i == 2 || i == 5});
   }
-  shots.push_back(
-      {.state = "A · the block · sweep 1",
-       .alt = "The block goes from zero to the answer in one step, beside the zig-zag of the rows.",
-       .draw = [&all](Page& page) { draw_block(page, all); },
-       .key = true});
+  shots.push_back(key_shot(
+      all, "A · the block · sweep 1",
+      "The block goes from zero to the answer in one step, beside the zig-zag of the rows.", draw_block));
   return shots;
 }
 

@@ -201,23 +201,21 @@ void draw_harsh(Page& page, const SoftRuns& all) {
 }  // namespace
 
 List<Shot> stiff_shots(const SoftRuns& all) {
-  return {{.state = "stiffer and stiffer",
-           .alt = "Oscillations on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ "
-                  "goes to 0, β "
-                  "to 1, the sag to 0.",
-           .draw = [&all](Page& page) { draw_stiff(page, all); },
-           .key = true}};
+  return {key_shot(all, "stiffer and stiffer",
+                   "Oscillations on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ "
+                   "goes to 0, β "
+                   "to 1, the sag to 0.",
+                   draw_stiff)};
 }
 
 List<Shot> column_shots(const SoftRuns& all) {
   List<Shot> shots;
   shots.push_back(
-      {.state = "three weights · A",
-       .alt = fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
-                          "to the diagonal.",
-                          all.soft_column.gamma),
-       .draw = [&all](Page& page) { draw_matrices(page, all); },
-       .key = true});
+      key_shot(all, "three weights · A",
+               fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
+                           "to the diagonal.",
+                           all.soft_column.gamma),
+               draw_matrices));
   for (int sweep = 1; sweep <= shown_sweeps; ++sweep) {
     shots.push_back(
         {.state = fmt::format("three weights · sweep {}", sweep),
@@ -231,13 +229,11 @@ List<Shot> column_shots(const SoftRuns& all) {
 }
 
 List<Shot> harsh_shots(const SoftRuns& all) {
-  return {
-      {.state = fmt::format("a stiff spring, Δt = {:g} s", all.settings.dt),
-       .alt =
-           "Left: the same stiff spring as a force diverges, as a row it comes to rest. Right: by how much "
-           "a step multiplies the oscillation, against the frequency; as a row always less than 1.",
-       .draw = [&all](Page& page) { draw_harsh(page, all); },
-       .key = true}};
+  return {key_shot(
+      all, fmt::format("a stiff spring, Δt = {:g} s", all.settings.dt),
+      "Left: the same stiff spring as a force diverges, as a row it comes to rest. Right: by how much "
+      "a step multiplies the oscillation, against the frequency; as a row always less than 1.",
+      draw_harsh)};
 }
 
 }  // namespace cairn::soft

@@ -245,11 +245,9 @@ List<Shot> pulley_shots(const PulleyRuns& all) {
   const int lift = all.settings.lift_step;
   const std::set<int> keys = {lift + 1, lift + 10, hardest_pull(all)};
   List<Shot> shots = {question_shot(card(), moment(all, 0))};
-  shots.push_back(
-      {.state = "step 1 · one row, one sweep",
-       .alt = "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.",
-       .draw = [&all](Page& page) { draw_equation(page, all); },
-       .key = true});
+  shots.push_back(key_shot(
+      all, "step 1 · one row, one sweep",
+      "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.", draw_equation));
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
   const double tension = tension_by_hand(all.settings);
   shots.push_back(answer_shot(

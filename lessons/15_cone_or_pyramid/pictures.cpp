@@ -198,10 +198,9 @@ List<Shot> slide_shots(const Slides& all) {
          .draw = [&all, i](Page& page) { draw_row(page, all, i); },
          .key = true});
   }
-  shots.push_back({.state = "step 1 · the vector",
-                   .alt = "The same plane: the vector is clamped to the circle, and stays against v.",
-                   .draw = [&all](Page& page) { draw_vector(page, all); },
-                   .key = true});
+  shots.push_back(key_shot(all, "step 1 · the vector",
+                           "The same plane: the vector is clamped to the circle, and stays against v.",
+                           draw_vector));
   const int stride = (last + 59) / 60;
   std::set<int> keys;
   for (const double part : {0.4, 0.65, 0.85}) keys.insert(static_cast<int>(part * last) / stride * stride);

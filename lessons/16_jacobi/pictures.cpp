@@ -144,11 +144,10 @@ List<Shot> feet_shots(const FeetRun& run) {
        .scene = [&run](Page& page, const Rect& rect) { draw_feet(page, rect, run, 0); }}));
   for (int sweep = 1; sweep <= run.settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
-      {.state = fmt::format("four methods, {} sweeps", run.settings.sweeps),
-       .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
-              "the share q that one sweep of each removes.",
-       .draw = [&run](Page& page) { draw_speeds(page, run); },
-       .key = true});
+      key_shot(run, fmt::format("four methods, {} sweeps", run.settings.sweeps),
+               "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
+               "the share q that one sweep of each removes.",
+               draw_speeds));
   return shots;
 }
 

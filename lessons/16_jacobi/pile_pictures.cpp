@@ -132,24 +132,21 @@ Shot mirror_shot(const PileRun& run, int step, const std::set<int>& keys) {
 List<Shot> pile_shots(const PileRun& run) {
   const int last = run.settings.steps;
   List<Shot> shots;
-  shots.push_back({.state = fmt::format("a pyramid, {} rows", run.problem.row_count()),
-                   .alt = "A pyramid with the number of rows on each box, and the largest eigenvalue of each "
-                          "method.",
-                   .draw = [&run](Page& page) { draw_eigenvalues(page, run); },
-                   .key = true});
-  shots.push_back({.state = "one step of the pyramid",
-                   .alt = "Residual against sweeps for four methods, and how many waits each needs with a "
-                          "processor for each row.",
-                   .draw = [&run](Page& page) { draw_convergence(page, run); },
-                   .key = true});
   shots.push_back(
-      {.state =
-           fmt::format("{} contacts, {} colours", run.contacts.contacts.size(), run.contacts.count.size()),
-       .alt = fmt::format("The contacts of the pyramid, joined box to box and numbered by colour: "
-                          "{} of them go at the same time in {} turns.",
-                          counts_text(run.contacts), run.contacts.count.size()),
-       .draw = [&run](Page& page) { draw_colours(page, run); },
-       .key = true});
+      key_shot(run, fmt::format("a pyramid, {} rows", run.problem.row_count()),
+               "A pyramid with the number of rows on each box, and the largest eigenvalue of each "
+               "method.",
+               draw_eigenvalues));
+  shots.push_back(key_shot(run, "one step of the pyramid",
+                           "Residual against sweeps for four methods, and how many waits each needs with a "
+                           "processor for each row.",
+                           draw_convergence));
+  shots.push_back(key_shot(
+      run, fmt::format("{} contacts, {} colours", run.contacts.contacts.size(), run.contacts.count.size()),
+      fmt::format("The contacts of the pyramid, joined box to box and numbered by colour: "
+                  "{} of them go at the same time in {} turns.",
+                  counts_text(run.contacts), run.contacts.count.size()),
+      draw_colours));
   for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {15, last}));
   return shots;
 }

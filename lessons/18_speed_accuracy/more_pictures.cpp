@@ -135,23 +135,20 @@ List<Shot> digit_shots(const CostRun& run) {
               "momentum fall; by multiply-adds momentum falls behind SOR.",
        .draw = draw_both,
        .key = true},
-      {.state = "3, 5, 10, 20 boxes",
-       .alt =
-           "Sweeps until 1 % is left against the number of boxes: SI's grow like its square, those with the "
-           "best ω like the number.",
-       .draw = [&run](Page& page) { draw_sizes(page, run); },
-       .key = true},
-      {.state = "float, double",
-       .alt = fmt::format("Errors of SI in float and in double, sweep by sweep: float ends at {:.1e}.",
-                          run.single.error.back()),
-       .draw = [&run](Page& page) { draw_precision(page, run); },
-       .key = true},
-      {.state = "time of a row update",
-       .alt =
-           "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
-           "growing with the rows for dense and naive PGS.",
-       .draw = [&run](Page& page) { draw_updates(page, run); },
-       .key = true}};
+      key_shot(
+          run, "3, 5, 10, 20 boxes",
+          "Sweeps until 1 % is left against the number of boxes: SI's grow like its square, those with the "
+          "best ω like the number.",
+          draw_sizes),
+      key_shot(run, "float, double",
+               fmt::format("Errors of SI in float and in double, sweep by sweep: float ends at {:.1e}.",
+                           run.single.error.back()),
+               draw_precision),
+      key_shot(
+          run, "time of a row update",
+          "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
+          "growing with the rows for dense and naive PGS.",
+          draw_updates)};
 }
 
 }  // namespace cairn::cost

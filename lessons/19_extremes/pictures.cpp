@@ -170,11 +170,11 @@ List<Shot> ratio_shots(const ExtremesRun& run) {
     if (sweep < last) shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10));
   }
   shots.push_back(sweep_shot(run, last, true));
-  shots.push_back({.state = "all masses",
-                   .alt = "A map of the error that is left, by ratio of masses and number of sweeps, and the "
-                          "sweeps that each ratio takes to 1 %: about 4.6 times the ratio.",
-                   .draw = [&run](Page& page) { draw_map(page, run); },
-                   .key = true});
+  shots.push_back(
+      key_shot(run, "all masses",
+               "A map of the error that is left, by ratio of masses and number of sweeps, and the "
+               "sweeps that each ratio takes to 1 %: about 4.6 times the ratio.",
+               draw_map));
   return shots;
 }
 

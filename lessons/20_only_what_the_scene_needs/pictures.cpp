@@ -173,16 +173,14 @@ List<Shot> needs_shots(const NeedsRun& all) {
   std::set<int> steps = keys;
   for (int step = 2; step < all.settings.steps; step += 2) steps.insert(step);
   for (const int step : steps) shots.push_back(step_shot(all, step, keys.contains(step)));
-  shots.push_back({.state = fmt::format("{} steps", all.settings.steps),
-                   .alt = "A table: what each switch costs in rows and row updates, and how far it is off.",
-                   .draw = [&all](Page& page) { draw_table(page, all); },
-                   .key = true});
+  shots.push_back(key_shot(all, fmt::format("{} steps", all.settings.steps),
+                           "A table: what each switch costs in rows and row updates, and how far it is off.",
+                           draw_table));
   if (all.touch > 0) {
-    shots.push_back(
-        {.state = fmt::format("step {}, with and without friction", all.settings.steps),
-         .alt = "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
-         .draw = [&all](Page& page) { draw_ruin(page, all); },
-         .key = true});
+    shots.push_back(key_shot(
+        all, fmt::format("step {}, with and without friction", all.settings.steps),
+        "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
+        draw_ruin));
   }
   const auto draw_answer = [&all](Page& page, const Rect& rect) {
     const List<Rect> parts = in_rows(page, rect, {0.45, 0.55});

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "cairn.hpp"
@@ -60,6 +61,13 @@ using render::WorldLook;
 
 /// The spacing of numbers near 1.
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// A key frame that shows something of `run`, which has to last as long as the shot.
+template <typename Run>
+Shot key_shot(const Run& run, const std::string& state, const std::string& alt,
+              const std::function<void(Page&, const std::type_identity_t<Run>&)>& draw) {
+  return {.state = state, .alt = alt, .draw = [&run, draw](Page& page) { draw(page, run); }, .key = true};
+}
 
 /// The same type, with the point where it is written at its left end, its right end or its middle.
 inline TextStyle aligned(TextStyle style, Align align) {
