@@ -75,7 +75,7 @@ using namespace cairn::big;
 
 StackRun solve_stack(const StackSettings& settings) {
   StackRun run{.settings = settings};
-  const VelocityProblem<double> problem = stack_rows(settings, gravity * settings.dt);
+  const VelocityProblem<double> problem = stack_rows(settings, gravity);
   run.system = assemble(problem);
   run.stages = eliminate(run.system);
   run.lambda = substitute_back(run.stages.back());

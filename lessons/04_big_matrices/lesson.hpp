@@ -59,8 +59,8 @@ struct StackRun {
   int boxes() const { return settings.boxes; }
 };
 
-/// Boxes of 1 m, one normal row for each contact. `fall`: [m/s] what gravity has done to all of them already.
-VelocityProblem<double> stack_rows(const StackSettings& settings, double fall);
+/// Boxes of 1 m, one normal row for each contact, that have fallen for a step under this gravity [m/s²].
+VelocityProblem<double> stack_rows(const StackSettings& settings, double pull);
 /// All rows in one system.
 StackSystem assemble(const VelocityProblem<double>& problem);
 /// Gauss's elimination of [A | b], from the first row down. A is positive definite, so no rows are swapped.

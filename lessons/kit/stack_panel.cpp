@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/draw.hpp"
+#include "world/world.hpp"
 
 namespace cairn {
 
@@ -75,6 +76,17 @@ void draw_box_velocity(Page& page, const Camera& camera, const StackMoment& mome
 
 }  // namespace
 
+Snapshot stack_at_rest(int boxes, double sunk) {
+  Scene scene;
+  scene.add_ground();
+  for (int i = 0; i < boxes; ++i)
+    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i - sunk}, .mass = 1});
+  Snapshot stack = snapshot(World(scene));
+  for (int i = 0; i < boxes; ++i)
+    stack.contacts.push_back({.a = {i}, .b = {i + 1}, .position = {0, i - sunk}, .normal = {0, 1}});
+  return stack;
+}
+
 Camera draw_stack_panel(Page& page, const render::Rect& view, const StackMoment& moment) {
   const auto boxes = static_cast<double>(moment.lambda.size());
   const double right = moment.velocity.empty() ? 0.8 : 2.3;
@@ -87,13 +99,7 @@ Camera draw_stack_panel(Page& page, const render::Rect& view, const StackMoment&
     look.active_a = {moment.active};
     look.active_b = {moment.active + 1};
   }
-  Snapshot stack = moment.stack;
-  stack.contacts.clear();
-  for (int i = 0; i < moment.lambda.size(); ++i) {
-    stack.contacts.push_back(
-        {.a = {i}, .b = {i + 1}, .position = {0, static_cast<double>(i)}, .normal = {0, 1}});
-  }
-  draw_world(page, camera, stack, look);
+  draw_world(page, camera, moment.stack, look);
   draw_pushes(page, camera, moment);
   for (int box = 0; box < moment.velocity.size(); ++box) draw_box_velocity(page, camera, moment, box);
   return camera;

@@ -11,7 +11,7 @@ namespace cairn {
 
 /// Boxes 1, 2, ... from the ground up; contact i is below box i + 1.
 struct StackMoment {
-  Snapshot stack = {};
+  Snapshot stack = {};          // of stack_at_rest()
   List<double> lambda = {};     // [N] of each contact
   List<double> velocity = {};   // [m/s] of each box, upwards; empty: not drawn
   List<double> earlier = {};    // [m/s] before the last row update, drawn pale where it changed
@@ -19,6 +19,10 @@ struct StackMoment {
   double largest_lambda = 1;    // [N] that is as long as a box is high
   double largest_velocity = 1;  // [m/s] that is half as long
 };
+
+/// So many unit boxes of 1 kg on each other and the ground, the lowest `sunk` [m] into it, and a contact
+/// below each.
+Snapshot stack_at_rest(int boxes, double sunk = 0);
 
 /// Each push is an arrow up, for the body above its contact, and an arrow down for the body below it.
 /// @returns how metres of the stack become pixels.
