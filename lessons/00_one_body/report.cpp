@@ -70,14 +70,9 @@ CsvTable table_of(const Flight& flight) {
       .header = {"step", "t", "x", "y", "angle", "v_x", "v_y", "omega", "y_explicit", "y_exact"}};
   for (int i = 0; i < flight.time.size(); ++i) {
     const SnapshotBody& box = flight.cairn[i].bodies[{1}];
-    List<CsvCell> row;
-    row.emplace_back(static_cast<long long>(i));
-    for (const double number :
-         {flight.time[i], box.pose.position.x(), box.pose.position.y(), box.pose.angle, box.velocity.x(),
-          box.velocity.y(), box.velocity.z(), flight.explicit_euler[i].y(), flight.exact[i].y()}) {
-      row.emplace_back(number);
-    }
-    table.rows.push_back(std::move(row));
+    table.rows.push_back({i, flight.time[i], box.pose.position.x(), box.pose.position.y(), box.pose.angle,
+                          box.velocity.x(), box.velocity.y(), box.velocity.z(), flight.explicit_euler[i].y(),
+                          flight.exact[i].y()});
   }
   return table;
 }

@@ -153,14 +153,13 @@ CsvTable balls_table(const DriftRuns& all) {
       .header = {"scene", "beta", "step", "error_metre", "speed_metre_per_second", "zeta", "lambda_newton"}};
   for (const BallRun& run : all.balls) {
     for (int k = 0; k < run.height.size(); ++k) {
-      table.rows.push_back({"ball", run.beta, static_cast<long long>(k), run.height[k], run.speed[k],
-                            run.zeta[k], run.lambda[k]});
+      table.rows.push_back({"ball", run.beta, k, run.height[k], run.speed[k], run.zeta[k], run.lambda[k]});
     }
   }
   const auto rods = [&](const char* scene, const auto& runs) {
     for (const auto& run : runs) {
       for (int k = 0; k < run.error.size(); ++k) {
-        table.rows.push_back({scene, run.beta, static_cast<long long>(k), run.error[k], 0.0, 0.0, 0.0});
+        table.rows.push_back({scene, run.beta, k, run.error[k], 0.0, 0.0, 0.0});
       }
     }
   };

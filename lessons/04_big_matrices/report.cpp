@@ -181,8 +181,7 @@ CsvTable entries_table(const StackRun& run) {
   const auto add = [&table](const char* name, const Eigen::MatrixXd& matrix) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
       for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-        table.rows.push_back(
-            {name, static_cast<long long>(i + 1), static_cast<long long>(j + 1), matrix(i, j)});
+        table.rows.push_back({name, i + 1, j + 1, matrix(i, j)});
       }
     }
   };

@@ -61,9 +61,8 @@ double rounding_of(const RodRun& rod) {
 void append_rows(CsvTable& table, const char* name, const Swept& swept, double dt) {
   for (int k = 0; k < swept.updates.size(); ++k) {
     const RowUpdate<double>& update = swept.updates[k];
-    table.rows.push_back({name, static_cast<long long>(update.sweep), static_cast<long long>(update.row + 1),
-                          update.inverse_mass, update.row_velocity, update.corrective / dt,
-                          update.impulse_before / dt, update.impulse_after / dt});
+    table.rows.push_back({name, update.sweep, update.row + 1, update.inverse_mass, update.row_velocity,
+                          update.corrective / dt, update.impulse_before / dt, update.impulse_after / dt});
   }
 }
 

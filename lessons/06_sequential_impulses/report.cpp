@@ -144,7 +144,7 @@ CsvTable table_of(const StackRun& run) {
   for (const RowRecord& record : run.updates) {
     const RowUpdate<double>& update = record.update;
     const long long interface = run.interface_of_row[update.row];
-    List<CsvCell> cells = {static_cast<long long>(update.sweep),
+    List<CsvCell> cells = {update.sweep,
                            interface + 1,
                            interface,
                            interface + 1,

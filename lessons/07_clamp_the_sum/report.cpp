@@ -206,9 +206,8 @@ CsvTable table_of(const FeetRun& run) {
     for (const Landing& landing : box.landings) {
       for (const Visit& visit : landing.visits) {
         const int foot = visit.foot;
-        table.rows.push_back({scene, name_of(landing.clamped), static_cast<long long>(visit.sweep),
-                              static_cast<long long>(visit.foot + 1), visit.jv, visit.asked,
-                              visit.before[foot], visit.after[foot]});
+        table.rows.push_back({scene, name_of(landing.clamped), visit.sweep, visit.foot + 1, visit.jv,
+                              visit.asked, visit.before[foot], visit.after[foot]});
       }
     }
   };

@@ -91,8 +91,7 @@ CsvTable table_of(const TwiceRun& run) {
   CsvTable table{.header = {"precision", "sweep", "largest_difference_newton", "largest_lambda_newton"}};
   for (const PrecisionRun& precision : run.precisions) {
     for (int k = 0; k < precision.difference.size(); ++k) {
-      table.rows.push_back(
-          {precision.name, static_cast<long long>(k), precision.difference[k], precision.scale});
+      table.rows.push_back({precision.name, k, precision.difference[k], precision.scale});
     }
   }
   return table;

@@ -153,8 +153,8 @@ CsvTable table_of(const StoredRun& run) {
   List<Count> counts = run.pyramids;
   counts.push_back(run.tray);
   for (const Count& count : counts) {
-    table.rows.push_back({count.name, static_cast<long long>(count.bodies), count.rows, count.dense,
-                          count.printed, count.non_zeros, count.pairs});
+    table.rows.push_back(
+        {count.name, count.bodies, count.rows, count.dense, count.printed, count.non_zeros, count.pairs});
   }
   return table;
 }

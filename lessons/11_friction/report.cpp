@@ -175,20 +175,9 @@ CsvTable table_of(const Study& study) {
   for (const Slide* slide : {&study.slippery, &study.rough, &study.heavy}) {
     const double acceleration = coulomb(slide->slope, slide->block).acceleration;
     for (int k = 0; k < slide->time.size(); ++k) {
-      List<CsvCell> row;
-      row.emplace_back(slide->block.friction);
-      row.emplace_back(slide->block.mass);
-      row.emplace_back(k);
-      for (const double number :
-           {slide->time[k], slide->speed[k], slide->way[k], acceleration * slide->time[k]}) {
-        row.emplace_back(number);
-      }
-      if (slide->box2d_speed.empty()) {
-        row.emplace_back(std::string());
-      } else {
-        row.emplace_back(slide->box2d_speed[k]);
-      }
-      table.rows.push_back(std::move(row));
+      const CsvCell box2d = slide->box2d_speed.empty() ? CsvCell("") : slide->box2d_speed[k];
+      table.rows.push_back({slide->block.friction, slide->block.mass, k, slide->time[k], slide->speed[k],
+                            slide->way[k], acceleration * slide->time[k], box2d});
     }
   }
   return table;
