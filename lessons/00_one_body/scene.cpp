@@ -9,7 +9,7 @@ constexpr int first_steps = 5;  // that have the plot of errors to themselves
 
 /// All of the flight with the whole box at both ends, and room for arrows and labels.
 Camera camera_of(const Rect& rect, const Story& story) {
-  Aabb<double> seen = bounds_of(story.flight.cairn);
+  Aabb<double> seen = render::bounds_of(story.flight.cairn);
   for (const Vec2<double>& point : story.flight.explicit_euler) {
     const Vec2<double> half(1, 1);  // the box, and the arrow beyond it
     seen.lower = seen.lower.cwiseMin(point - half);

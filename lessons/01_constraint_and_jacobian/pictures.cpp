@@ -179,7 +179,7 @@ void draw_differences(Page& page, const Story& story) {
 }
 
 Shot motion_shot(const Story& story, const Motion& motion, const std::string& state) {
-  return shot(
+  return key_shot(
       story, state,
       fmt::format("The velocities of the box and of its anchor as arrows; j·v = {:.3f} m/s, the slope "
                   "of c at this moment.",

@@ -5,7 +5,7 @@ namespace cairn::friction {
 
 namespace {
 
-Bar named_bar(const std::string& name, double before, double added) {
+render::Bar named_bar(const std::string& name, double before, double added) {
   return {.name = name + " " + fixed(before + added, 2), .before = before, .added = added};
 }
 
@@ -77,7 +77,7 @@ void draw_corner_bars(Page& page, const Rect& rect, const Study& study) {
   for (const auto& [name, row] : {std::pair("upper", upper_tangent), std::pair("lower", lower_tangent)})
     chart.bars.push_back(named_bar(name, 0, std::abs(first_force(study, row))));
   const double half = coulomb(study.slippery.slope, study.slippery.block).given() / 2;
-  const BarPlaces places = draw_bars(page, rect, chart);
+  const render::BarPlaces places = draw_bars(page, rect, chart);
   const double x = places.plot.x + places.plot.width * (half - places.low) / (places.high - places.low);
   page.canvas().line({x, places.rows.y}, {x, places.rows.y + places.rows.height},
                      {.width = 3, .color = page.theme().exact.color});
