@@ -25,6 +25,12 @@ struct Series {
   List<double> y = {};  // NaN leaves a gap; on a log axis what is not > 0 is left out
   bool line = true;
   bool markers = true;  // a few, evenly spread
+
+  /// One more point.
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
 };
 
 /// A horizontal dashed line with its text: "1 % goal".

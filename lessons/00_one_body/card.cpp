@@ -1,5 +1,5 @@
 // Lesson 00. What --help and --about say, and what may be changed.
-#include "lessons/card.hpp"
+#include "lessons/kit/card.hpp"
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Exercise 00. Write one step of semi-implicit Euler. Then: bash lessons/run check 0
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 #include "math/list.hpp"
 
 namespace cairn::exercise00 {

@@ -1,8 +1,5 @@
 // Lesson 00. One box in free flight: as Cairn steps it, by explicit Euler, and exactly.
-#include "flight.hpp"
-
-#include <algorithm>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::one_body {
 
@@ -28,16 +25,15 @@ double final_error(const Flight& flight, const List<Vec2<double>>& path) {
 }
 
 double rounding_of_height(const Flight& flight) {
-  // Every step rounds a height and a velocity, each by half an ulp of its largest value; what a velocity has
-  // lost is missing in every later step. So n steps lose at most n ulp(y) / 2 and n^2 dt ulp(v) / 4. Twice
-  // that.
+  // Every step rounds a height and a velocity, each by half an epsilon of its largest value; what a velocity
+  // has lost is missing in every later step. So n steps lose at most n epsilon(y) / 2 and n^2 dt epsilon(v)
+  // / 4. Twice that.
   const Throw& thrown = flight.thrown;
   const double n = thrown.steps;
   double height = std::abs(thrown.start.y());
   for (const Vec2<double>& point : flight.exact) height = std::max(height, std::abs(point.y()));
   const double speed = std::abs(thrown.velocity.y()) + thrown.gravity * flight.time.back();
-  const double ulp = std::numeric_limits<double>::epsilon();
-  return n * ulp * height + n * n * thrown.dt * ulp * speed / 2;
+  return n * epsilon * height + n * n * thrown.dt * epsilon * speed / 2;
 }
 
 }  // namespace cairn::one_body

@@ -3,9 +3,7 @@
 // new v. A box is thrown and nothing touches it, so we know where it should be: on a parabola. We fly it
 // three times, with the library, with the same two lines by hand, and with the two lines swapped (explicit
 // Euler), and look how far from the parabola each ends.
-#include "cairn.hpp"
-#include "parts.hpp"
-#include "render/canvas.hpp"
+#include "lesson.hpp"
 
 namespace {
 
@@ -76,9 +74,8 @@ void run(Lesson& lesson) {
   check_claims(lesson, flight, convergence);
   lesson.data(table_of(flight));
   lesson.fingerprint(flight.cairn.back());
-  if (lesson.draws())
-    lesson.print("Pictures are drawn offscreen by " + render::Canvas(64, 64).backend() + ".");
-  lesson.film(pictures(flight, convergence));
+  if (lesson.draws()) lesson.print("Pictures are drawn offscreen by " + Canvas(64, 64).backend() + ".");
+  lesson.film(pictures({flight, convergence}));
 }
 
 }  // namespace

@@ -1,22 +1,9 @@
 // Lesson 00. The pictures of the flight.
-#include <fmt/core.h>
-
-#include <cmath>
-#include <memory>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
-#include "scene.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_body {
 
 namespace {
-
-using namespace render;
-using SharedStory = std::shared_ptr<const Story>;
 
 double height(const List<Vec2<double>>& path, int step) { return path[step].y(); }
 
@@ -50,16 +37,14 @@ TableView state_table(const Throw& thrown) {
 
 /// Left the scene, right two parts.
 List<Rect> layout_of(const Page& page, double upper) {
-  const List<Rect> halves = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
-  return {halves[0], right[0], right[1]};
+  return in_columns(page, {0.62, {0.38, {upper, 1 - upper}}});
 }
 
 void draw_state(Page& page, const Story& story) {
   const List<Rect> parts = layout_of(page, 0.36);
   draw_scene(page, parts[0], story, {});
   page.table(parts[1], "three numbers, and their rates, eq (1)", state_table(story.flight.thrown));
-  const List<Rect> below = rows(parts[2], {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> below = in_rows(page, parts[2], {0.62, 0.38});
   const Rect inside = page.panel(below[0], "M⁻¹, eq (2): 1/kg, 1/kg, 1/(kg m²)");
   draw_matrix(page, {inside.x + 0.25 * inside.width, inside.y, 0.75 * inside.width, inside.height},
               {.values = story.flight.inverse_mass.asDiagonal(),
@@ -72,14 +57,14 @@ void draw_state(Page& page, const Story& story) {
                            .result = "= 1/6 kg m²"});
 }
 
-Shot step_shot(const SharedStory& story, int step) {
-  const Flight& flight = story->flight;
+Shot step_shot(const Story& story, int step) {
+  const Flight& flight = story.flight;
   const int steps = flight.thrown.steps;
-  const auto draw = [story, step](Page& page) {
+  const auto draw = [&story, step](Page& page) {
     const List<Rect> parts = layout_of(page, 0.62);
-    draw_scene(page, parts[0], *story, {.step = step});
-    draw_errors(page, parts[1], *story, step);
-    page.equation(parts[2], step_equation(*story, step));
+    draw_scene(page, parts[0], story, {.step = step});
+    draw_errors(page, parts[1], story, step);
+    page.equation(parts[2], step_equation(story, step));
   };
   return {.state = fmt::format("step {}/{} · t = {} s", step, steps, fixed(flight.time[step], 2)),
           .alt = fmt::format(
@@ -105,14 +90,13 @@ void draw_order(Page& page, const Rect& rect, const Story& story) {
                   .markers = false},
                  {.name = "both methods", .style = {page.theme().text, {}, Marker::circle}, .line = false}};
   for (int i = c.dt.size() - 1; i >= 0; --i) {  // the name stands at the right end
-    plot.series[1].x.push_back(c.dt[i]);
-    plot.series[1].y.push_back(-c.semi_implicit[i]);
+    plot.series[1].add(c.dt[i], -c.semi_implicit[i]);
   }
   draw_plot(page, rect, plot);
 }
 
 void draw_convergence(Page& page, const Story& story) {
-  const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, 0.44});
   draw_order(page, parts[0], story);
   Rect rest = page.card(
       parts[1], "order one",
@@ -122,7 +106,7 @@ void draw_convergence(Page& page, const Story& story) {
   for (int i = 0; i < c.dt.size(); ++i)
     table.rows.push_back({significant(c.dt[i]), fixed(c.semi_implicit[i], 4, Sign::always),
                           fixed(c.explicit_euler[i], 4, Sign::always)});
-  const List<Rect> below = rows(rest, {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> below = in_rows(page, rest, {0.58, 0.42});
   page.table(below[0], "", table);
   const Throw& thrown = story.flight.thrown;
   const double time = story.flight.time.back();
@@ -134,18 +118,18 @@ void draw_convergence(Page& page, const Story& story) {
                  .result = fmt::format("= {} m", significant(thrown.gravity * thrown.dt * time / 2))});
 }
 
-Shot shot_of_answer(const SharedStory& story) {
-  const int last = story->flight.thrown.steps;
+Shot shot_of_answer(const Story& story) {
+  const int last = story.flight.thrown.steps;
   const std::string text = fmt::format(
       "Below, by {} m = g Δt t/2: each step moves with the velocity of its end. Explicit Euler takes that of "
       "its beginning, and ends as far above.",
-      significant(-final_error(story->flight, story->flight.semi_implicit)));
-  const auto scene = [story, last](Page& page, const Rect& rect) {
-    draw_scene(page, rect, *story, {.step = last, .velocity = false});
+      significant(-final_error(story.flight, story.flight.semi_implicit)));
+  const auto scene = [&story, last](Page& page, const Rect& rect) {
+    draw_scene(page, rect, story, {.step = last, .velocity = false});
   };
   return answer_shot(
       card(),
-      {.state = fmt::format("after {} s", significant(story->flight.time.back())),
+      {.state = fmt::format("after {} s", significant(story.flight.time.back())),
        .alt = "The box at the end of its flight below the exact parabola, explicit Euler as far above it. " +
               text,
        .scene = scene},
@@ -154,29 +138,23 @@ Shot shot_of_answer(const SharedStory& story) {
 
 }  // namespace
 
-List<Shot> pictures(const Flight& flight, const Convergence& convergence) {
-  auto made = std::make_shared<Story>(Story{flight, convergence});
-  for (const Snapshot& snapshot : flight.cairn)
-    made->fastest = std::max(made->fastest, snapshot.bodies[{1}].velocity.head<2>().norm());
-  const SharedStory story = made;
+List<Shot> pictures(const Story& story) {
   List<Shot> shots = {question_shot(card(), {.state = "before the throw",
                                              .alt = "A box before its flight, its velocity as an arrow, the "
                                                     "exact parabola ahead of it, and the question",
-                                             .scene = [story](Page& page, const Rect& rect) {
-                                               draw_scene(page, rect, *story, {.asks = true});
+                                             .scene = [&story](Page& page, const Rect& rect) {
+                                               draw_scene(page, rect, story, {.asks = true});
                                              }})};
-  shots.push_back({.state = "one body, three numbers",
-                   .alt = "The box before the throw; a table of its position and its velocity; and M⁻¹ as a "
-                          "diagonal matrix: 1, 1 and 6.",
-                   .draw = [story](Page& page) { draw_state(page, *story); },
-                   .key = true});
-  for (int step = 1; step <= flight.thrown.steps; ++step) shots.push_back(step_shot(story, step));
-  shots.push_back({.state = "half the step, half the error",
-                   .alt =
-                       "The error at the end of the flight over the time step, on logarithmic axes: measured "
-                       "points on a line of slope 1, from the standard step to a sixteenth of it.",
-                   .draw = [story](Page& page) { draw_convergence(page, *story); },
-                   .key = true});
+  shots.push_back(key_shot(story, "one body, three numbers",
+                           "The box before the throw; a table of its position and its velocity; and M⁻¹ as a "
+                           "diagonal matrix: 1, 1 and 6.",
+                           draw_state));
+  for (int step = 1; step <= story.flight.thrown.steps; ++step) shots.push_back(step_shot(story, step));
+  shots.push_back(
+      key_shot(story, "half the step, half the error",
+               "The error at the end of the flight over the time step, on logarithmic axes: measured "
+               "points on a line of slope 1, from the standard step to a sixteenth of it.",
+               draw_convergence));
   shots.push_back(shot_of_answer(story));
   return shots;
 }

@@ -1,17 +1,7 @@
 // Lesson 00. The flight in lines and rows, and what has to be true of it.
-#include "parts.hpp"
-
-#include <fmt/core.h>
-
-#include <cmath>
-
-#include "geometry/mass.hpp"
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_body {
-
-using render::fixed;
-using render::significant;
 
 void tell_scene(Lesson& lesson, const Flight& flight) {
   const Throw& thrown = flight.thrown;
@@ -36,11 +26,7 @@ void tell_steps(Lesson& lesson, const Flight& flight) {
         fixed(flight.cairn[step].bodies[{1}].velocity.y(), 3), fixed(flight.semi_implicit[step].y(), 3),
         fixed(flight.explicit_euler[step].y(), 3), fixed(flight.exact[step].y(), 3));
     const bool shown = step <= 3 || step == steps / 2 || step == steps;
-    if (shown) {
-      lesson.print(line);
-    } else {
-      lesson.detail(line);
-    }
+    shown ? lesson.print(line) : lesson.detail(line);
   }
 }
 
@@ -48,8 +34,8 @@ void tell_convergence(Lesson& lesson, const Convergence& c) {
   lesson.print("after the same time:  Δt (s)   semi-implicit (m)   explicit (m)");
   for (int i = 0; i < c.dt.size(); ++i) {
     lesson.print(fmt::format("                   {:>9} {:>19} {:>14}", significant(c.dt[i], 4),
-                             fixed(c.semi_implicit[i], 6, render::Sign::always),
-                             fixed(c.explicit_euler[i], 6, render::Sign::always)));
+                             fixed(c.semi_implicit[i], 6, Sign::always),
+                             fixed(c.explicit_euler[i], 6, Sign::always)));
   }
 }
 
@@ -84,14 +70,9 @@ CsvTable table_of(const Flight& flight) {
       .header = {"step", "t", "x", "y", "angle", "v_x", "v_y", "omega", "y_explicit", "y_exact"}};
   for (int i = 0; i < flight.time.size(); ++i) {
     const SnapshotBody& box = flight.cairn[i].bodies[{1}];
-    List<CsvCell> row;
-    row.emplace_back(static_cast<long long>(i));
-    for (const double number :
-         {flight.time[i], box.pose.position.x(), box.pose.position.y(), box.pose.angle, box.velocity.x(),
-          box.velocity.y(), box.velocity.z(), flight.explicit_euler[i].y(), flight.exact[i].y()}) {
-      row.emplace_back(number);
-    }
-    table.rows.push_back(std::move(row));
+    table.rows.push_back({i, flight.time[i], box.pose.position.x(), box.pose.position.y(), box.pose.angle,
+                          box.velocity.x(), box.velocity.y(), box.velocity.z(), flight.explicit_euler[i].y(),
+                          flight.exact[i].y()});
   }
   return table;
 }

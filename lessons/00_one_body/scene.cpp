@@ -1,18 +1,7 @@
 // Lesson 00. The flight so far, where its three methods are, and how far they miss.
-#include "scene.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_body {
-
-using namespace render;
 
 namespace {
 
@@ -20,7 +9,7 @@ constexpr int first_steps = 5;  // that have the plot of errors to themselves
 
 /// All of the flight with the whole box at both ends, and room for arrows and labels.
 Camera camera_of(const Rect& rect, const Story& story) {
-  Aabb<double> seen = bounds_of(story.flight.cairn);
+  Aabb<double> seen = render::bounds_of(story.flight.cairn);
   for (const Vec2<double>& point : story.flight.explicit_euler) {
     const Vec2<double> half(1, 1);  // the box, and the arrow beyond it
     seen.lower = seen.lower.cwiseMin(point - half);
@@ -38,9 +27,12 @@ void measure(Page& page, const Point& from, const Point& to, const std::string& 
 }
 
 void draw_velocity(Page& page, const Camera& camera, const Story& story, const SnapshotBody& box) {
+  double fastest = 0;  // [m/s] of the whole flight: one scale for all arrows
+  for (const Snapshot& snapshot : story.flight.cairn)
+    fastest = std::max(fastest, snapshot.bodies[{1}].velocity.head<2>().norm());
   // The fastest arrow is a little longer than the box is wide.
   const double longest = 1.1 * camera.scale;
-  const ArrowScale scale = {.pixels_per_unit = longest / story.fastest, .longest = longest, .unit = "m/s"};
+  const ArrowScale scale = {.pixels_per_unit = longest / fastest, .longest = longest, .unit = "m/s"};
   const Vec2<double> velocity = box.velocity.head<2>();
   draw_arrow(page, camera, scale,
              {.kind = ArrowKind::velocity, .tail = box.pose.position, .value = velocity});
@@ -117,10 +109,7 @@ void draw_start(Page& page, const Camera& camera, const Flight& flight) {
 Series error_series(const Flight& flight, const List<Vec2<double>>& path, int step, const std::string& name,
                     const SeriesStyle& style) {
   Series series = {.name = name, .style = style};
-  for (int i = 0; i <= step; ++i) {
-    series.x.push_back(flight.time[i]);
-    series.y.push_back(height_above(flight, path, i));
-  }
+  for (int i = 0; i <= step; ++i) series.add(flight.time[i], height_above(flight, path, i));
   return series;
 }
 

@@ -1,12 +1,8 @@
 // The derivative of every kind of constraint, compared with differences of its error.
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include "lesson.hpp"
 
 #include "collision/collide.hpp"
-#include "lessons/random.hpp"
-#include "math/list.hpp"
-#include "rod.hpp"
+#include "lessons/kit/random.hpp"
 
 namespace cairn::one_row {
 

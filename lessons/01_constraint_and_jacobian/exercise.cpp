@@ -1,7 +1,7 @@
 // Exercise 01. Write the row j of a point on a rail. Then: bash lessons/run check 1
 #include <cmath>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 #include "math/list.hpp"
 
 namespace cairn::exercise01 {

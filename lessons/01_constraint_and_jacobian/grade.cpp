@@ -1,7 +1,4 @@
 // Exercise 01, graded: against central differences of c, at twenty rails and arms.
-#include <algorithm>
-#include <cmath>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise01 {

@@ -2,10 +2,7 @@
 // box hangs on a rod. We write down c and j by hand, hold j against differences of c, and use it in both ways
 // that solvers do: j·v says how fast a velocity v breaks the rod, and jᵀ λ is the force with which the rod
 // resists (10). The library says the same of its own rod.
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 
@@ -96,7 +93,7 @@ void run(Lesson& lesson) {
                 "and two are left, swinging and turning about the anchor.");
   check_derivative(lesson, rod, kinds);
   check_force(lesson, rod);
-  lesson.film(rod_shots(rod, kinds));
+  lesson.film(rod_shots({rod, kinds}));
   lesson.data(quotients_table(rod));
   lesson.fingerprint({rod.error, rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z(), rod.force.z()});
 }

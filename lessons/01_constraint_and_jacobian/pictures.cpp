@@ -1,31 +1,9 @@
 // The frames: c and its level curves, j by small moves, j·v for several motions, f, and the answer.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::significant;
-
-struct Story {
-  Rod rod = {};
-  List<KindOfRows> kinds = {};
-};
-using Shared = std::shared_ptr<const Story>;
 
 const char* const coordinate_names[] = {"x", "y", "θ"};
 
@@ -35,9 +13,9 @@ std::string components(const Vec3<double>& v) {
 
 /// Left the scene; returns the two parts on the right.
 List<Rect> draw_scene(Page& page, const Rod& rod, const RodLook& look, double upper) {
-  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
-  draw_rod(page, halves[0], rod, look);
-  return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.48, {0.52, {upper, 1 - upper}}});
+  draw_rod(page, parts[0], rod, look);
+  return {parts[1], parts[2]};
 }
 
 void draw_where(Page& page, const Story& story) {
@@ -48,10 +26,10 @@ void draw_where(Page& page, const Story& story) {
                                                             {"1 m along the rod", {along.x(), along.y(), 0}},
                                                             {"turned by 1 rad", {0, 0, 1}}};
   RodLook look{.pose = rod.pose, .close = true, .errors = true, .circles = true};
-  render::TableView table{.header = {"the box, moved", "c"}, .rows = {{"not at all", "0 m"}}};
+  TableView table{.header = {"the box, moved", "c"}, .rows = {{"not at all", "0 m"}}};
   for (const auto& [name, move] : moves) {
     look.others.push_back(carried(rod.pose, move, 1));
-    table.rows.push_back({name, fixed(error_at(rod, look.others.back()), 2, render::Sign::always) + " m"});
+    table.rows.push_back({name, fixed(error_at(rod, look.others.back()), 2, Sign::always) + " m"});
   }
   const List<Rect> parts = draw_scene(page, rod, look, 0.42);
   const Vec2<double>& p = rod.settings.anchor;
@@ -67,8 +45,8 @@ void draw_jacobian(Page& page, const Story& story) {
   const Rod& rod = story.rod;
   const List<Rect> parts =
       draw_scene(page, rod, {.pose = rod.pose, .circles = true, .direction = true}, 0.24);
-  const List<Rect> below = rows(parts[1], {0.5, 0.5}, page.sizes().gap);
-  const render::MatrixView view{.values = rod.jacobian.transpose(), .column_names = {"x", "y", "θ"}};
+  const List<Rect> below = in_rows(page, parts[1], {0.5, 0.5});
+  const MatrixView view{.values = rod.jacobian.transpose(), .column_names = {"x", "y", "θ"}};
   const Rect inside = page.panel(parts[0], "j: one row, three numbers for the box");
   draw_matrix(page, {inside.x + 0.3 * inside.width, inside.y, 0.7 * inside.width, inside.height}, view);
   const Vec3<double>& j = rod.jacobian;
@@ -79,7 +57,7 @@ void draw_jacobian(Page& page, const Story& story) {
                                                   significant(rod.arm.y())),
                            .result = fmt::format("r × u = {} m", significant(j.z())),
                            .algorithm = "u: along the rod; r: from the centre to the anchor"});
-  const auto per_mille = [](double slope) { return fixed(slope, 2, render::Sign::always) + " mm"; };
+  const auto per_mille = [](double slope) { return fixed(slope, 2, Sign::always) + " mm"; };
   page.table(below[1], "three slopes",
              {.header = {"a small move", "c grows by"},
               .rows = {{"1 mm to the right", per_mille(j.x())},
@@ -91,7 +69,7 @@ void draw_jacobian(Page& page, const Story& story) {
 void draw_nudge(Page& page, const Rod& rod, int k) {
   const std::string unit = k == 2 ? "rad" : "m";
   const Vec3<double> move = Vec3<double>::Unit(k);
-  render::TableView table{.header = {"h (" + unit + ")", "c(−h) (m)", "c(+h) (m)", "slope"}};
+  TableView table{.header = {"h (" + unit + ")", "c(−h) (m)", "c(+h) (m)", "slope"}};
   for (const double h : {0.5, 0.1, 0.01}) {
     const Quotient less = quotient(rod, h);
     table.rows.push_back(
@@ -118,18 +96,17 @@ void draw_nudge(Page& page, const Rod& rod, int k) {
 
 /// c while the box moves on at this velocity, and what j·v makes of it.
 void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& motion) {
-  render::Plot plot{.title = "c while the box keeps this velocity (m)",
-                    .x = {.title = "t (s)", .min = -1, .max = 1},
-                    .cursor = 0};
+  Plot plot{.title = "c while the box keeps this velocity (m)",
+            .x = {.title = "t (s)", .min = -1, .max = 1},
+            .cursor = 0};
   plot.series = {
       {.name = "c", .style = {.color = page.theme().outline}, .markers = false},
       {.name = "j·v t", .style = {.color = page.theme().velocity, .dash = {8, 6}}, .markers = false}};
   double largest = 1.2;  // [m] the same for all motions of the question
   for (int k = -20; k <= 20; ++k) {
     const double t = 0.05 * k, c = error_at(rod, carried(rod.pose, motion.velocity, t));
-    for (render::Series& series : plot.series) series.x.push_back(t);
-    plot.series[0].y.push_back(c);
-    plot.series[1].y.push_back(motion.rate * t);
+    plot.series[0].add(t, c);
+    plot.series[1].add(t, motion.rate * t);
     largest = std::max({largest, std::abs(c), std::abs(motion.rate * t)});
   }
   plot.y = {.min = -largest, .max = largest};
@@ -137,8 +114,7 @@ void draw_course(Page& page, const Rect& rect, const Rod& rod, const Motion& mot
 }
 
 std::string product(double factor, double value) {
-  const auto in_brackets = [](double x) { return x < 0 ? "(" + significant(x) + ")" : significant(x); };
-  return in_brackets(factor) + " × " + in_brackets(value);
+  return in_brackets(significant(factor)) + " × " + in_brackets(significant(value));
 }
 
 void draw_motion(Page& page, const Rod& rod, const Motion& motion) {
@@ -166,7 +142,7 @@ void draw_force(Page& page, const Story& story) {
        .result =
            fmt::format("= ({} N, {} N, {} N m)", significant(f.x()), significant(f.y()), significant(f.z())),
        .color = page.theme().normal});
-  render::TableView table{.header = {"motion", "power f·v"}};
+  TableView table{.header = {"motion", "power f·v"}};
   for (const Motion& motion : rod.allowed)
     table.rows.push_back({motion.name, fixed(rod.force.dot(motion.velocity), 3) + " W"});
   table.rows.push_back({"along the rod: forbidden", fixed(rod.settings.lambda, 3) + " W"});
@@ -174,45 +150,36 @@ void draw_force(Page& page, const Story& story) {
 }
 
 void draw_differences(Page& page, const Story& story) {
-  const List<Rect> parts = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, 0.44});
   const List<Quotient>& all = story.rod.quotients;
   const double factor = all[2].error / (all[2].h * all[2].h);
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double scale = epsilon * story.rod.length, lowest = 1e-13;
   const double least = all.back().h, most = all.front().h;
   const double first = std::sqrt(lowest / factor), last = scale / lowest;  // where the lines leave the chart
-  render::Plot plot{.title = "largest |j − central difference| of the rod"};
-  plot.x = {.title = "h (m or rad)", .scale = render::AxisScale::logarithmic, .min = 3e-12, .max = 1};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = lowest, .max = 1e-2};
-  const render::Color color = page.theme().text;
+  Plot plot{.title = "largest |j − central difference| of the rod"};
+  plot.x = {.title = "h (m or rad)", .scale = AxisScale::logarithmic, .min = 3e-12, .max = 1};
+  plot.y = {.scale = AxisScale::logarithmic, .min = lowest, .max = 1e-2};
+  const Color color = page.theme().text;
   plot.series = {
-      {.style = {color, {}, render::Marker::circle}, .line = false},
+      {.style = {color, {}, Marker::circle}, .line = false},
       {.style = {.color = color}, .x = {first, most}, .y = {lowest, factor * most * most}, .markers = false},
       {.style = {.color = color, .dash = {8, 6}},
        .x = {least, last},
        .y = {scale / least, lowest},
        .markers = false}};
-  for (const Quotient& q : all) {
-    plot.series[0].x.push_back(q.h);
-    plot.series[0].y.push_back(q.error);
-  }
+  for (const Quotient& q : all) plot.series[0].add(q.h, q.error);
   plot.labels = {
       {1e-9, scale / 1e-9, fmt::format("rounding: about ε |p| / h, ε = {}", significant(epsilon, 2))},
       {1e-3, 1e-6 * factor, "falls with h²"}};
   draw_plot(page, parts[0], plot);
-  render::TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
+  TableView table{.header = {"h = 10^{−5}, 20 poses", "rows", "difference"}};
   for (const KindOfRows& kind : story.kinds)
     table.rows.push_back({kind.name, fmt::format("{}", kind.rows), significant(kind.error, 2)});
   page.table(parts[1], "every kind of row in the library", table);
 }
 
-Shot shot(const Shared& story, const std::string& state, const std::string& alt,
-          const std::function<void(Page&, const Story&)>& draw) {
-  return {.state = state, .alt = alt, .draw = [story, draw](Page& page) { draw(page, *story); }, .key = true};
-}
-
-Shot motion_shot(const Shared& story, const Motion& motion, const std::string& state) {
-  return shot(
+Shot motion_shot(const Story& story, const Motion& motion, const std::string& state) {
+  return key_shot(
       story, state,
       fmt::format("The velocities of the box and of its anchor as arrows; j·v = {:.3f} m/s, the slope "
                   "of c at this moment.",
@@ -221,8 +188,8 @@ Shot motion_shot(const Shared& story, const Motion& motion, const std::string& s
 }
 
 /// The reader's velocity, and those of the question.
-List<Shot> motion_shots(const Shared& story) {
-  const Rod& rod = story->rod;
+List<Shot> motion_shots(const Story& story) {
+  const Rod& rod = story.rod;
   const Vec3<double>& own = rod.settings.velocity;
   List<Shot> shots = {motion_shot(story, {.velocity = own, .rate = rod.jacobian.dot(own)}, "j·v: how fast")};
   shots.back().key = false;
@@ -231,21 +198,21 @@ List<Shot> motion_shots(const Shared& story) {
   return shots;
 }
 
-Shot nudge_shot(const Shared& story, int k) {
+Shot nudge_shot(const Story& story, int k) {
   Shot made =
-      shot(story, fmt::format("the same by trying: {}", coordinate_names[k]),
-           fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for "
-                       "1 of it.",
-                       coordinate_names[k], story->rod.quotients[0].slope[k]),
-           [k](Page& page, const Story& all) { draw_nudge(page, all.rod, k); });
+      key_shot(story, fmt::format("the same by trying: {}", coordinate_names[k]),
+               fmt::format("The box moved in {} to both sides, and c of each place: c grows by {:.3f} for "
+                           "1 of it.",
+                           coordinate_names[k], story.rod.quotients[0].slope[k]),
+               [k](Page& page, const Story& all) { draw_nudge(page, all.rod, k); });
   made.key = k != 1;
   return made;
 }
 
-QuestionFrame frame_of(const Shared& story, const std::string& state, const std::string& alt, RodLook look) {
-  look.pose = story->rod.pose;
-  return {.state = state, .alt = alt, .scene = [story, look](Page& page, const Rect& rect) {
-            draw_rod(page, rect, story->rod, look);
+QuestionFrame frame_of(const Story& story, const std::string& state, const std::string& alt, RodLook look) {
+  look.pose = story.rod.pose;
+  return {.state = state, .alt = alt, .scene = [&story, look](Page& page, const Rect& rect) {
+            draw_rod(page, rect, story.rod, look);
           }};
 }
 
@@ -258,8 +225,7 @@ std::string answer_text(const List<Motion>& asked) {
 
 }  // namespace
 
-List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
-  const auto story = std::make_shared<const Story>(Story{rod, kinds});
+List<Shot> rod_shots(const Story& story) {
   List<Shot> shots = {question_shot(
       card(),
       frame_of(story, "before we ask",
@@ -267,25 +233,25 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
                "fast each makes the rod longer",
                {.asked = true}))};
   shots.push_back(
-      shot(story, "c: where",
-           "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "
-           "four other places.",
-           draw_where));
+      key_shot(story, "c: where",
+               "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "
+               "four other places.",
+               draw_where));
   shots.push_back(
-      shot(story, "j: which way",
-           "An arrow along the rod, at right angles to the circle c = 0, and an arc around the box: "
-           "j = " +
-               components(rod.jacobian),
-           draw_jacobian));
+      key_shot(story, "j: which way",
+               "An arrow along the rod, at right angles to the circle c = 0, and an arc around the box: "
+               "j = " +
+                   components(story.rod.jacobian),
+               draw_jacobian));
   for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
   for (const Shot& next : motion_shots(story)) shots.push_back(next);
-  shots.push_back(shot(story, "jᵀ λ: how strong",
-                       "The pull of the rod as an arrow at the anchor and its torque as an arc.",
-                       draw_force));
-  shots.push_back(shot(story, "j against differences",
-                       "The error of a central difference against its step: it falls as h squared, then "
-                       "rounding takes over. Beside it every kind of row in the library.",
-                       draw_differences));
+  shots.push_back(key_shot(story, "jᵀ λ: how strong",
+                           "The pull of the rod as an arrow at the anchor and its torque as an arc.",
+                           draw_force));
+  shots.push_back(key_shot(story, "j against differences",
+                           "The error of a central difference against its step: it falls as h squared, then "
+                           "rounding takes over. Beside it every kind of row in the library.",
+                           draw_differences));
   shots.push_back(answer_shot(
       card(),
       frame_of(
@@ -293,7 +259,7 @@ List<Shot> rod_shots(const Rod& rod, const List<KindOfRows>& kinds) {
           "The three velocities as the anchor has them: the first and the third along the circle that the "
           "rod allows, the second along the rod.",
           {.close = true, .circles = true, .answered = true}),
-      answer_text(rod.asked)));
+      answer_text(story.rod.asked)));
   return shots;
 }
 

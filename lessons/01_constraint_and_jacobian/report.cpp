@@ -1,21 +1,9 @@
 // Lesson 01. The rod in lines and rows, and what has to be true of it.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 
 namespace {
-
-using render::fixed;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A number with its minus sign; on a terminal there are no raised digits.
 std::string number(double value, int digits = 3) {
@@ -26,9 +14,9 @@ std::string triple(const Vec3<double>& v, int digits = 3) {
   return fmt::format("({}, {}, {})", number(v.x(), digits), number(v.y(), digits), number(v.z(), digits));
 }
 
-std::string bracketed(double value) { return value < 0 ? "(" + number(value) + ")" : number(value); }
-
-std::string term(double factor, double value) { return bracketed(factor) + " × " + bracketed(value); }
+std::string term(double factor, double value) {
+  return in_brackets(number(factor)) + " × " + in_brackets(number(value));
+}
 
 std::string verdict(double rate) {
   if (rate == 0) return "allowed";

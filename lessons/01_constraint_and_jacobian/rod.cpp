@@ -1,9 +1,5 @@
 // Velocities of the box, and where they lead.
-#include "rod.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 
@@ -11,7 +7,7 @@ namespace {
 
 Motion motion(const Vec3<double>& jacobian, const std::string& name, const Vec3<double>& velocity) {
   const double rate = jacobian.dot(velocity);  // (5)
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * velocity.norm();
+  const double rounding = 8 * epsilon * velocity.norm();
   return {.name = name, .velocity = velocity, .rate = std::abs(rate) > rounding ? rate : 0};
 }
 
@@ -44,7 +40,7 @@ Snapshot moved_to(const Rod& rod, const Pose<double>& pose) {
 
 double quotient_tolerance(double h) {
   const double size = 10;  // [m]
-  return 8 * size * h * h / 6 + 8 * std::numeric_limits<double>::epsilon() * size / h;
+  return 8 * size * h * h / 6 + 8 * epsilon * size / h;
 }
 
 }  // namespace cairn::one_row

@@ -1,33 +1,19 @@
 // The box on its rod, with level curves of c and the arrows of j, f and v.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_row {
 
 namespace {
 
-using render::Page;
-using render::Point;
-using render::Rect;
-using render::significant;
-
 /// The pivot, the box, and the circles around the pivot with room for their names; or the box alone.
-render::Camera rod_camera(const Rect& inside, const Rod& rod, const RodLook& look) {
+Camera rod_camera(const Rect& inside, const Rod& rod, const RodLook& look) {
   const Vec2<double>& anchor = rod.settings.anchor;
-  if (look.close)
-    return render::fit(inside, {anchor - Vec2<double>(1.7, 2.2), anchor + Vec2<double>(2.6, 2)});
-  return render::fit(inside, {{std::min(-1.3, 0.9 * anchor.x() - 2.6), -rod.length - 1.5},
-                              {std::max(anchor.x() + 2.6, 4.0), 0.5}});
+  if (look.close) return fit(inside, {anchor - Vec2<double>(1.7, 2.2), anchor + Vec2<double>(2.6, 2)});
+  return fit(inside, {{std::min(-1.3, 0.9 * anchor.x() - 2.6), -rod.length - 1.5},
+                      {std::max(anchor.x() + 2.6, 4.0), 0.5}});
 }
 
-List<Point> circle(const render::Camera& camera, double radius) {
+List<Point> circle(const Camera& camera, double radius) {
   List<Point> points;
   for (int k = 0; k <= 720; ++k)
     points.push_back(camera.project(Rotation<double>(-pi * k / 720) * Vec2<double>(radius, 0)));
@@ -35,19 +21,19 @@ List<Point> circle(const render::Camera& camera, double radius) {
 }
 
 /// Where c is −1, 0 and +1 m, were the anchor there.
-void draw_circles(Page& page, const render::Camera& camera, const Rod& rod, const RodLook& look) {
+void draw_circles(Page& page, const Camera& camera, const Rod& rod, const RodLook& look) {
   const Vec2<double> down = look.close
                                 ? Vec2<double>(Rotation<double>(0.38) * rod.settings.anchor.normalized())
                                 : Vec2<double>(0, -1);  // where the names stand
   for (const double c : {-1.0, 0.0, 1.0}) {
     const double radius = rod.length + c;
     const List<Point> points = circle(camera, radius);
-    render::Stroke stroke{.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 5}};
+    Stroke stroke{.width = page.sizes().axis, .color = page.theme().inactive, .dash = {6, 5}};
     if (c == 0) stroke = {.width = page.sizes().curve, .color = page.theme().joint, .dash = {}};
     page.canvas().polyline(points, stroke);
     page.avoid(points);
-    render::TextStyle style = page.value();
-    const std::string name = c == 0 ? "c = 0" : "c = " + render::fixed(c, 0, render::Sign::always) + " m";
+    TextStyle style = page.value();
+    const std::string name = c == 0 ? "c = 0" : "c = " + fixed(c, 0, Sign::always) + " m";
     const Point at = camera.project(radius * down);
     const double width = page.canvas().text_width(name, style);
     page.canvas().rect({at.x() - width / 2 - 6, at.y() - 0.7 * style.size, width + 12, 1.4 * style.size},
@@ -56,15 +42,14 @@ void draw_circles(Page& page, const render::Camera& camera, const Rod& rod, cons
   }
 }
 
-render::TextStyle bold_label(const Page& page, const render::Color& color) {
+TextStyle bold_label(const Page& page, const Color& color) {
   return {.size = render::large_text, .color = color, .bold = true, .mono = true, .halo = page.theme().panel};
 }
 
 /// Beyond the tip of an arrow, above it or below it; first of all `aside` by so many half widths.
-void write_at_tip(Page& page, const render::Camera& camera, const Vec2<double>& tip,
-                  const Vec2<double>& along, const std::string& text, render::TextStyle style,
-                  double aside = 0) {
-  style.align = render::Align::center;
+void write_at_tip(Page& page, const Camera& camera, const Vec2<double>& tip, const Vec2<double>& along,
+                  const std::string& text, TextStyle style, double aside = 0) {
+  style.align = Align::center;
   const double gap = along.y() > 0 ? -8 : 8 + style.size;
   const double half = page.canvas().text_width(text, style) / 2;
   const Point at = camera.project(tip) + Point(0, gap);
@@ -76,7 +61,7 @@ void write_at_tip(Page& page, const render::Camera& camera, const Vec2<double>& 
 }
 
 /// c = 0 where the box covers it.
-void draw_covered_goal(Page& page, const render::Camera& camera, const Rod& rod, const Pose<double>& box) {
+void draw_covered_goal(Page& page, const Camera& camera, const Rod& rod, const Pose<double>& box) {
   List<Point> points;
   for (const Point& point : circle(camera, rod.length)) {
     const Vec2<double> inside = Rotation<double>(-box.angle) * (camera.unproject(point) - box.position);
@@ -86,7 +71,7 @@ void draw_covered_goal(Page& page, const render::Camera& camera, const Rod& rod,
 }
 
 /// The unit box and its tick.
-void avoid_box(Page& page, const render::Camera& camera, const Pose<double>& box) {
+void avoid_box(Page& page, const Camera& camera, const Pose<double>& box) {
   List<Point> line;
   for (const auto& [x, y] :
        {std::pair(0.38, 0.0), {0.5, 0.0}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.0}})
@@ -95,14 +80,14 @@ void avoid_box(Page& page, const render::Camera& camera, const Pose<double>& box
 }
 
 /// c of these poses: from where the anchor should be, a cross stroke, to where it is, a dot, along the rod.
-void draw_errors(Page& page, const render::Camera& camera, const Rod& rod, const List<Pose<double>>& poses) {
-  render::TextStyle style = page.value();
+void draw_errors(Page& page, const Camera& camera, const Rod& rod, const List<Pose<double>>& poses) {
+  TextStyle style = page.value();
   style.halo = page.theme().panel;
   const auto ends = [&](const Pose<double>& pose) {
     const Vec2<double> anchor = pose.world(rod.local_anchor);
     return std::pair(camera.project(anchor * (rod.length / anchor.norm())), camera.project(anchor));
   };
-  const render::Stroke thick{.width = 1.2 * page.sizes().arrow, .color = page.theme().friction};
+  const Stroke thick{.width = 1.2 * page.sizes().arrow, .color = page.theme().friction};
   for (const Pose<double>& pose : poses) {
     const auto [from, to] = ends(pose);
     if ((to - from).norm() < 1) continue;
@@ -115,7 +100,7 @@ void draw_errors(Page& page, const render::Camera& camera, const Rod& rod, const
   for (const Pose<double>& pose : poses) {
     const auto [from, to] = ends(pose);
     if ((to - from).norm() < 1) continue;
-    const std::string text = render::fixed(error_at(rod, pose), 2, render::Sign::always) + " m";
+    const std::string text = fixed(error_at(rod, pose), 2, Sign::always) + " m";
     const double width = page.canvas().text_width(text, style), rise = 0.35 * style.size;
     List<Point> places;
     for (const double away : {12, 28}) {
@@ -128,7 +113,7 @@ void draw_errors(Page& page, const render::Camera& camera, const Rod& rod, const
 }
 
 /// A curve with a head at its end; `avoid`ed by labels.
-void draw_curved_arrow(Page& page, const List<Point>& points, const render::Color& color) {
+void draw_curved_arrow(Page& page, const List<Point>& points, const Color& color) {
   const Point tip = points.back();
   const double length = page.sizes().head_length;
   int neck = points.size() - 1;  // where the head begins
@@ -150,11 +135,11 @@ struct Arc {
   double middle = 0;             // [rad] direction of its middle
   double sign = 1;               // positive: counterclockwise
   std::string label = {};
-  render::Color color = {};
+  Color color = {};
 };
 
 /// A turning sense: an arc with a head.
-void draw_arc(Page& page, const render::Camera& camera, const Arc& arc) {
+void draw_arc(Page& page, const Camera& camera, const Arc& arc) {
   constexpr double half = 0.75;  // [rad] of the arc, to both sides
   const auto at = [&](double turn) {
     const Vec2<double> out = Rotation<double>(arc.middle + turn) * Vec2<double>(arc.radius, 0);
@@ -163,7 +148,7 @@ void draw_arc(Page& page, const render::Camera& camera, const Arc& arc) {
   List<Point> points;
   for (int k = 0; k <= 32; ++k) points.push_back(at(arc.sign * half * (k / 16.0 - 1)));
   draw_curved_arrow(page, points, arc.color);
-  const render::TextStyle style = bold_label(page, arc.color);
+  const TextStyle style = bold_label(page, arc.color);
   const double wide = page.canvas().text_width(arc.label, style);
   const double gap = 0.7 * page.sizes().arrow + 6, rise = 0.35 * style.size;
   page.place_text(
@@ -173,11 +158,11 @@ void draw_arc(Page& page, const render::Camera& camera, const Arc& arc) {
 }
 
 /// j or f: what it has for x and y at the anchor, and for the angle around the centre.
-void draw_row_arrows(Page& page, const render::Camera& camera, const Rod& rod, const RodLook& look) {
+void draw_row_arrows(Page& page, const Camera& camera, const Rod& rod, const RodLook& look) {
   const Vec3<double>& value = look.force ? rod.force : rod.jacobian;
   const double size = value.head<2>().norm();
   if (!(size > 0)) return;
-  const render::Color color = look.force ? page.theme().normal : page.theme().text;
+  const Color color = look.force ? page.theme().normal : page.theme().text;
   const Vec2<double> anchor = look.pose.world(rod.local_anchor);
   const Vec2<double> way = value.head<2>() * (1.7 / size);  // [m]
   draw_curved_arrow(page, {camera.project(anchor), camera.project(anchor + way)}, color);
@@ -197,44 +182,42 @@ void draw_row_arrows(Page& page, const render::Camera& camera, const Rod& rod, c
 }
 
 /// A velocity of a point of the box, with its name at the tip.
-void draw_velocity(Page& page, const render::Camera& camera, const render::ArrowScale& scale,
-                   const render::Arrow& arrow, const std::string& name, double aside = 0) {
+void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, const render::Arrow& arrow,
+                   const std::string& name, double aside = 0) {
   draw_arrow(page, camera, scale, arrow);
   const Vec2<double> way = arrow.value * (scale.pixels_per_unit / camera.scale);  // [m] to the tip
   page.avoid({camera.project(arrow.tail), camera.project(arrow.tail + way)});
-  const render::Color color = arrow.active ? page.theme().velocity : page.theme().secondary_text;
+  const Color color = arrow.active ? page.theme().velocity : page.theme().secondary_text;
   if (way.norm() > 0) write_at_tip(page, camera, arrow.tail + way, way, name, bold_label(page, color), aside);
 }
 
 Vec2<double> at_anchor(const Rod& rod, const Vec3<double>& v) { return v.head<2>() + cross(v.z(), rod.arm); }
 
 /// The velocity of the centre, and that of the anchor, which is what the rod sees.
-void draw_velocities(Page& page, const render::Camera& camera, const Rod& rod, const Vec3<double>& v) {
+void draw_velocities(Page& page, const Camera& camera, const Rod& rod, const Vec3<double>& v) {
   const Vec2<double> anchor = at_anchor(rod, v), centre = v.head<2>();
   const double largest = std::max(centre.norm(), anchor.norm());
-  const render::ArrowScale scale{.pixels_per_unit = std::min(1.2, 2 / largest) * camera.scale,
-                                 .longest = 1e4};
+  const ArrowScale scale{.pixels_per_unit = std::min(1.2, 2 / largest) * camera.scale, .longest = 1e4};
   const Vec2<double> apart = centre - anchor - rod.arm * (camera.scale / scale.pixels_per_unit);
   const double aside = apart.x() < 0 ? -0.8 : 0.8;  // each name on its side of the two arrows
   draw_velocity(page, camera, scale,
-                {.kind = render::ArrowKind::velocity, .tail = rod.settings.anchor, .value = anchor}, "anchor",
+                {.kind = ArrowKind::velocity, .tail = rod.settings.anchor, .value = anchor}, "anchor",
                 -aside);
-  draw_velocity(
-      page, camera, scale,
-      {.kind = render::ArrowKind::velocity, .tail = rod.pose.position, .value = centre, .active = false},
-      "centre", aside);
+  draw_velocity(page, camera, scale,
+                {.kind = ArrowKind::velocity, .tail = rod.pose.position, .value = centre, .active = false},
+                "centre", aside);
 }
 
 /// The velocities of the question by number: as it gives them, at the centre, or as the rod sees them.
-void draw_asked(Page& page, const render::Camera& camera, const Rod& rod, bool answered) {
-  const render::ArrowScale scale{.pixels_per_unit = 1.4 * camera.scale, .longest = 1e4};
+void draw_asked(Page& page, const Camera& camera, const Rod& rod, bool answered) {
+  const ArrowScale scale{.pixels_per_unit = 1.4 * camera.scale, .longest = 1e4};
   for (int i = 0; i < rod.asked.size(); ++i) {
     const Motion& motion = rod.asked[i];
     const Vec3<double>& v = motion.velocity;
     std::string name = std::to_string(i + 1);
     if (answered && motion.rate != 0) name += ": " + significant(motion.rate) + " m/s";
     draw_velocity(page, camera, scale,
-                  {.kind = render::ArrowKind::velocity,
+                  {.kind = ArrowKind::velocity,
                    .tail = answered ? rod.settings.anchor : rod.pose.position,
                    .value = answered ? at_anchor(rod, v) : Vec2<double>(v.head<2>())},
                   name);
@@ -253,7 +236,7 @@ void draw_asked(Page& page, const render::Camera& camera, const Rod& rod, bool a
 
 void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look) {
   const Rect inside = page.panel(rect, "");
-  const render::Camera camera = rod_camera(inside, rod, look);
+  const Camera camera = rod_camera(inside, rod, look);
   page.canvas().push_clip(inside);
   if (look.circles) draw_circles(page, camera, rod, look);
   List<Snapshot> others;

@@ -1,7 +1,7 @@
 // Exercise 02. One push between two bodies: its size, and what it changes. Then: bash lessons/run check 2
 #include <cmath>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise02 {
 

@@ -1,11 +1,9 @@
 // Exercise 02, graded: two bodies that move, a fixed peg, a push off the centre and one that slows. The
 // expected numbers come from j and M⁻¹ as arrays of six; what a mistake would give, from the push with that
 // mistake in it.
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "exercise.cpp"
+
+#include <fmt/format.h>
 
 namespace cairn::exercise02 {
 namespace {

@@ -2,7 +2,7 @@
 // How hard it has to push depends on the effective mass, 1 / (j M⁻¹ jᵀ). That is not simply a mass, because a
 // body that is pushed off-centre also turns. With that number one push puts the row right: (19)-(23).
 // A box falls on a peg at three places; we push by hand, and let the library's solver push.
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // What (22) divides by, by hand.
-#include "peg.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_push {
 

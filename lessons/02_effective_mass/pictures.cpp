@@ -1,39 +1,22 @@
 // The frames: the row, three pushes and what they leave, the effective mass here, this way, and against
 // another body.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_push {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::significant;
-
-using Shared = std::shared_ptr<const Pushes>;
-
 /// Left the box; returns the two parts on the right.
 List<Rect> draw_left(Page& page, const Pushes& all, const Push& push, const PegLook& look, double upper) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  draw_push(page, halves[0], all, push, look);
-  return rows(halves[1], {upper, 1 - upper}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.44, {0.56, {upper, 1 - upper}}});
+  draw_push(page, parts[0], all, push, look);
+  return {parts[1], parts[2]};
 }
 
 /// The places with what was found at each, as far as it is known.
-render::TableView table_of(const Pushes& all, const List<std::string>& header, int known,
-                           const std::function<List<std::string>(const Push&)>& found) {
-  render::TableView table{.header = header, .active_row = known - 1};
+TableView table_of(const Pushes& all, const List<std::string>& header, int known,
+                   const std::function<List<std::string>(const Push&)>& found) {
+  TableView table{.header = header, .active_row = known - 1};
   for (int i = 0; i < all.at.size(); ++i) {
     List<std::string> row = {significant(all.at[i].x)};
     const List<std::string> numbers =
@@ -45,14 +28,14 @@ render::TableView table_of(const Pushes& all, const List<std::string>& header, i
 }
 
 /// Question and answer: all three places side by side, at one scale.
-QuestionFrame frame_of(const Shared& all, const std::string& state, const std::string& alt,
+QuestionFrame frame_of(const Pushes& all, const std::string& state, const std::string& alt,
                        const PegLook& look) {
   return {.state = state,
           .alt = alt,
           .scene =
-              [all, look](Page& page, const Rect& rect) {
-                const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
-                for (int i = 0; i < panels.size(); ++i) draw_push(page, panels[i], *all, all->at[i], look);
+              [&all, look](Page& page, const Rect& rect) {
+                const List<Rect> panels = in_columns(page, rect, {1, 1, 1});
+                for (int i = 0; i < panels.size(); ++i) draw_push(page, panels[i], all, all.at[i], look);
               },
           .place = ScenePlace::above};
 }
@@ -66,14 +49,14 @@ void draw_row(Page& page, const Pushes& all) {
   masses << push.inverse_mass[{1}].transpose(), push.inverse_mass[{2}].transpose();
   const Rect inside = page.panel(parts[0], "");
   const List<Rect> strips = rows(inside, {1, 1, 1}, 4);
-  const FixedList<render::MatrixView, 3> views = {
+  const FixedList<MatrixView, 3> views = {
       {{.title = "j: the peg (1) and the box (2)", .values = j},
-       {.title = "the diagonal of M⁻¹, eq (17)", .values = masses, .colors = render::MatrixColors::magnitude},
+       {.title = "the diagonal of M⁻¹, eq (17)", .values = masses, .colors = MatrixColors::magnitude},
        {.title = "j² times that: the sum is j M⁻¹ j^{T}",
         .values = j.array().square() * masses.array(),
-        .colors = render::MatrixColors::magnitude}}};
+        .colors = MatrixColors::magnitude}}};
   for (int i = 0; i < strips.size(); ++i) {
-    render::MatrixView view = views[i];
+    MatrixView view = views[i];
     view.column_group = 3;
     for (const char* name : {"x_{1}", "y_{1}", "θ_{1}", "x_{2}", "y_{2}", "θ_{2}"})
       view.column_names.emplace_back(name);
@@ -130,24 +113,19 @@ void draw_after(Page& page, const Pushes& all, int i) {
                       }));
 }
 
-render::Series curve_of_places(const Page& page, const Pushes& all) {
-  render::Series curve{.style = {.color = page.theme().normal}, .markers = false};
-  for (int k = -50; k <= 50; ++k) {
-    curve.x.push_back(0.01 * k);
-    curve.y.push_back(mass_at(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
-  }
+Series curve_of_places(const Page& page, const Pushes& all) {
+  Series curve{.style = {.color = page.theme().normal}, .markers = false};
+  for (int k = -50; k <= 50; ++k) curve.add(0.01 * k, mass_at(all.settings.mass, {0.01 * k, -0.5}, {0, 1}));
   return curve;
 }
 
 void draw_here(Page& page, const Pushes& all) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
+  const List<Rect> halves = in_columns(page, {0.44, 0.56});
   draw_push(page, halves[0], all, all.at[0], {.masses = true});
-  render::Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
-  render::Series found{.style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
-  for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]}) {
-    found.x.push_back(push.x);
-    found.y.push_back(push.impulse / all.settings.speed);
-  }
+  Plot plot{.title = "effective mass 1 / (j M⁻¹ jᵀ), upwards (kg)"};
+  Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
+  for (const Push& push : {all.mirrored, all.at[0], all.at[1], all.at[2]})
+    found.add(push.x, push.impulse / all.settings.speed);
   plot.series = {curve_of_places(page, all), found};
   plot.goals.push_back({all.settings.mass, "all of the box"});
   plot.x = {.title = "place of the peg, x (m)", .min = -0.55, .max = 0.55};
@@ -156,100 +134,91 @@ void draw_here(Page& page, const Pushes& all) {
 }
 
 void draw_this_way(Page& page, const Pushes& all) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = in_columns(page, {0.5, 0.5});
   draw_push(page, halves[0], all, all.at[0], {.directions = true});
   draw_push(page, halves[1], all, all.at[2], {.directions = true});
 }
 
 void draw_others(Page& page, const Pushes& all) {
-  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.48, 0.52}}});
   const double m = all.settings.mass;
-  render::Plot plot{.title = "effective mass of box and peg, below the centre (kg)"};
-  render::Series curve{.style = {.color = page.theme().normal}, .markers = false};
-  render::Series found{.style = {page.theme().outline, {}, render::Marker::circle}, .line = false};
+  Plot plot{.title = "effective mass of box and peg, below the centre (kg)"};
+  Series curve{.style = {.color = page.theme().normal}, .markers = false};
+  Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
   for (int k = -16; k <= 16; ++k) {
     const double other = m * std::pow(10, k / 4.0 * 0.75);
-    curve.x.push_back(other);
-    curve.y.push_back(1 / (1 / m + 1 / other));
+    curve.add(other, 1 / (1 / m + 1 / other));
   }
-  render::TableView table{.header = {"peg (kg)", "1/m of both", "effective (kg)"}};
+  TableView table{.header = {"peg (kg)", "1/m of both", "effective (kg)"}};
   for (const OtherMass& other : all.others) {
     const bool fixed_peg = !(other.mass > 0);
     table.rows.push_back({fixed_peg ? "fixed" : significant(other.mass), significant(1 / other.effective, 4),
                           significant(other.effective, 4)});
     if (fixed_peg || other.mass < curve.x.front() || other.mass > curve.x.back()) continue;
-    found.x.push_back(other.mass);
-    found.y.push_back(other.effective);
+    found.add(other.mass, other.effective);
   }
   plot.series = {curve, found};
   plot.goals.push_back({m, "the box alone"});
-  plot.x = {.title = "mass of the peg (kg)", .scale = render::AxisScale::logarithmic};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .max = 3 * m};
-  draw_plot(page, halves[0], plot);
-  const List<Rect> parts = rows(halves[1], {0.48, 0.52}, page.sizes().gap);
-  page.equation(parts[0],
+  plot.x = {.title = "mass of the peg (kg)", .scale = AxisScale::logarithmic};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .max = 3 * m};
+  draw_plot(page, parts[0], plot);
+  page.equation(parts[1],
                 {.number = "two bodies that can move",
                  .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
                  .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
                  .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
-  page.table(parts[1], "what the box meets", table);
-}
-
-Shot shot(const Shared& all, const std::string& state, const std::string& alt,
-          const std::function<void(Page&, const Pushes&)>& draw) {
-  return {.state = state, .alt = alt, .draw = [all, draw](Page& page) { draw(page, *all); }, .key = true};
+  page.table(parts[2], "what the box meets", table);
 }
 
 /// The first and the last place are key frames; what the first push leaves is nothing.
-void append_pushes(const Shared& all, List<Shot>& shots) {
-  for (int i = 0; i < all->at.size(); ++i) {
-    const Push& push = all->at[i];
+void append_pushes(const Pushes& all, List<Shot>& shots) {
+  for (int i = 0; i < all.at.size(); ++i) {
+    const Push& push = all.at[i];
     shots.push_back(
-        shot(all, fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
-             fmt::format("The peg at x = {:.3g} m pushes the box with {:.3f} N s upwards; equation "
-                         "(22) filled in.",
-                         push.x, push.impulse),
-             [i](Page& page, const Pushes& pushes) { draw_step(page, pushes, i); }));
+        key_shot(all, fmt::format("push {} of 3 · x = {:.3g} m", i + 1, push.x),
+                 fmt::format("The peg at x = {:.3g} m pushes the box with {:.3f} N s upwards; equation "
+                             "(22) filled in.",
+                             push.x, push.impulse),
+                 [i](Page& page, const Pushes& pushes) { draw_step(page, pushes, i); }));
     shots.back().key = i != 1;
     shots.push_back(
-        shot(all, fmt::format("after push {} of 3", i + 1),
-             fmt::format("After the push the box moves at {:.3f} m/s and turns at {:.3f} rad/s, so "
-                         "that the contact stands still; outlines show where it goes.",
-                         push.after.bodies[{2}].velocity.y(), push.after.bodies[{2}].velocity.z()),
-             [i](Page& page, const Pushes& pushes) { draw_after(page, pushes, i); }));
+        key_shot(all, fmt::format("after push {} of 3", i + 1),
+                 fmt::format("After the push the box moves at {:.3f} m/s and turns at {:.3f} rad/s, so "
+                             "that the contact stands still; outlines show where it goes.",
+                             push.after.bodies[{2}].velocity.y(), push.after.bodies[{2}].velocity.z()),
+                 [i](Page& page, const Pushes& pushes) { draw_after(page, pushes, i); }));
     shots.back().key = i != 0;
   }
 }
 
 }  // namespace
 
-List<Shot> peg_shots(const Pushes& recorded) {
-  const auto all = std::make_shared<const Pushes>(recorded);
+List<Shot> peg_shots(const Pushes& all) {
   List<Shot> shots = {question_shot(
       card(),
       frame_of(all, "before the push",
                "A box that falls on a peg below its corner, and the question how hard the peg has to push",
                {.asked = true, .named = true}))};
-  shots.push_back(shot(all, "the row",
-                       "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",
-                       draw_row));
+  shots.push_back(key_shot(all, "the row",
+                           "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",
+                           draw_row));
   append_pushes(all, shots);
-  shots.push_back(shot(all, "here",
-                       "Bars along the underside of the box: the effective mass is largest below the centre.",
-                       draw_here));
+  shots.push_back(key_shot(
+      all, "here", "Bars along the underside of the box: the effective mass is largest below the centre.",
+      draw_here));
   shots.push_back(
-      shot(all, "this way",
-           "Below the centre and off-centre a closed curve: its distance from the contact is "
-           "the effective mass in that direction, all of the box towards its centre and less across.",
-           draw_this_way));
-  shots.push_back(shot(all, "against what",
-                       "The effective mass against the mass of the peg: never more than the box alone.",
-                       draw_others));
+      key_shot(all, "this way",
+               "Below the centre and off-centre a closed curve: its distance from the contact is "
+               "the effective mass in that direction, all of the box towards its centre and less across.",
+               draw_this_way));
+  shots.push_back(key_shot(all, "against what",
+                           "The effective mass against the mass of the peg: never more than the box alone.",
+                           draw_others));
   const std::string answer = fmt::format(
       "Less: {} N s instead of {}. Off-centre the box also turns, so its corner yields more easily: here, "
       "this way, the effective mass is {} kg instead of {} kg.",
-      significant(recorded.at[2].impulse), significant(recorded.at[0].impulse),
-      significant(1 / recorded.at[2].inverse), significant(recorded.settings.mass));
+      significant(all.at[2].impulse), significant(all.at[0].impulse), significant(1 / all.at[2].inverse),
+      significant(all.settings.mass));
   shots.push_back(answer_shot(
       card(),
       frame_of(all, "after the lesson", "The pushes at three places, at one scale, and the answer.",

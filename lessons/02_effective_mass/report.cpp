@@ -1,19 +1,9 @@
 // Lesson 02. The pushes in lines and rows, and what has to be true of them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::one_push {
 
 namespace {
-
-using render::fixed;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 const Vec3<double>& velocity_after(const Push& push) { return push.after.bodies[{2}].velocity; }
 

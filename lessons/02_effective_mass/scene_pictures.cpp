@@ -1,22 +1,9 @@
 // The box on its peg: velocities, the push, and curves of the effective mass.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::one_push {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-using render::significant;
 
 constexpr double longest_push = 0.8;  // [m] of the arrow in the middle
 constexpr double longest_bar = 0.55;  // [m]
@@ -24,24 +11,23 @@ constexpr double longest_ray = 0.75;  // [m]
 // [m] that the box would have fallen, for each outline; the last one is darkest
 constexpr FixedList<double, 3> ways = {0.45, 0.3, 0.15};
 
-void draw_fall(Page& page, const render::Camera& camera, const Pushes& all, const Push& push,
-               const PegLook& look) {
+void draw_fall(Page& page, const Camera& camera, const Pushes& all, const Push& push, const PegLook& look) {
   const Vec3<double>& v = (look.after ? push.after : push.before).bodies[{2}].velocity;
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = 0.42 * camera.scale / all.settings.speed, .longest = 1e4, .unit = "m/s"};
   // Before the push all of the box has one velocity: the arrow stands beside a push near the middle.
   Vec2<double> tail = push.before.bodies[{2}].pose.position;
   if (look.push && push.x < 0.4) tail.x() -= 0.35;
   if (std::abs(v.y()) > 1e-9 * all.settings.speed)
     draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity,
+               {.kind = ArrowKind::velocity,
                 .tail = tail,
                 .value = v.head<2>(),
                 .label = significant(std::abs(v.y()), 3) + " m/s"});
 }
 
 /// A turning sense around the middle of the box, above it.
-void draw_turning(Page& page, const render::Camera& camera, const Push& push) {
+void draw_turning(Page& page, const Camera& camera, const Push& push) {
   const double w = push.after.bodies[{2}].velocity.z();
   const Vec2<double> middle = push.before.bodies[{2}].pose.position;
   if (std::abs(w) < 1e-9) return;
@@ -59,28 +45,27 @@ void draw_turning(Page& page, const render::Camera& camera, const Push& push) {
   const FixedList<Point, 3> head = {base - side, tip, base + side};
   page.canvas().polyline(head,
                          {.width = 0.65 * page.sizes().arrow, .color = page.theme().velocity, .dash = {}});
-  render::TextStyle style = page.value();
-  style.align = render::Align::center;
+  TextStyle style = aligned(page.value(), Align::center);
   style.color = page.theme().velocity;
   style.size = render::large_text;
   style.bold = true;
   page.canvas().text(points[16] + Point(0, -12), significant(w, 3) + " rad/s", style);
 }
 
-void draw_impulse(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
+void draw_impulse(Page& page, const Camera& camera, const Pushes& all, const Push& push) {
   const double whole = all.settings.mass * all.settings.speed;  // of the middle
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = longest_push * camera.scale / whole, .longest = 1e4, .unit = "N s"};
   const Vec2<double> tail(push.x, 0);
   draw_arrow(page, camera, scale,
-             {.kind = render::ArrowKind::normal,
+             {.kind = ArrowKind::normal,
               .tail = tail,
               .value = {0, push.impulse},
               .label = significant(push.impulse, 3) + " N s"});
 }
 
 /// How heavy the box is for a push upwards, all along its underside.
-void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
+void draw_bars(Page& page, const Camera& camera, const Pushes& all) {
   for (int k = -4; k <= 4; ++k) {  // the outermost ones end with the box
     const double x = 0.125 * k;
     const double mass = mass_at(all.settings.mass, {x, -0.5}, {0, 1});
@@ -89,9 +74,9 @@ void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
     page.canvas().rect({top.x(), top.y(), 0.08 * camera.scale, length * camera.scale},
                        {.fill = page.theme().normal, .outline = page.theme().outline, .outline_width = 1});
     if (k % 4 != 0) continue;
-    render::TextStyle style = page.value();
+    TextStyle style = page.value();
     const std::string text = significant(mass, 3) + " kg";
-    style.align = k == 0 ? render::Align::center : k > 0 ? render::Align::left : render::Align::right;
+    style.align = k == 0 ? Align::center : k > 0 ? Align::left : Align::right;
     const Point aside = k == 0 ? Point(0, style.size + 8) : Point(k > 0 ? 8 : -8, 0);
     const Vec2<double> end(x + 0.01 * k, -0.02 - length);
     page.canvas().text(camera.project(end) + aside, text, style);
@@ -99,7 +84,7 @@ void draw_bars(Page& page, const render::Camera& camera, const Pushes& all) {
 }
 
 /// The effective mass in every direction at one point: as far from it as the mass is large.
-void draw_directions(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
+void draw_directions(Page& page, const Camera& camera, const Pushes& all, const Push& push) {
   const Vec2<double> contact(push.x, 0);
   const Vec2<double> arm = contact - push.before.bodies[{2}].pose.position;
   const double scale = longest_ray / all.settings.mass;
@@ -115,9 +100,9 @@ void draw_directions(Page& page, const render::Camera& camera, const Pushes& all
   for (const Vec2<double>& ray : {Vec2<double>(0, 1), second}) {
     const double mass = mass_at(all.settings.mass, arm, ray);
     draw_arrow(page, camera, {.pixels_per_unit = scale * camera.scale, .longest = 1e4, .unit = "kg"},
-               {.kind = render::ArrowKind::normal, .tail = contact, .value = mass * ray});
+               {.kind = ArrowKind::normal, .tail = contact, .value = mass * ray});
     // Beside the tip, where the other arrow is not.
-    render::TextStyle style = page.value();
+    TextStyle style = page.value();
     style.halo = page.theme().background;
     const std::string text = significant(mass, 3) + " kg";
     const double width = page.canvas().text_width(text, style);
@@ -129,7 +114,7 @@ void draw_directions(Page& page, const render::Camera& camera, const Pushes& all
 }
 
 /// Where the velocities after the push lead, for a while.
-void draw_way(Page& page, const render::Camera& camera, const Pushes& all, const Push& push) {
+void draw_way(Page& page, const Camera& camera, const Pushes& all, const Push& push) {
   List<Snapshot> later;
   for (const double way : ways) {
     Snapshot moved = push.after;
@@ -164,7 +149,7 @@ void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push
   const Rect inside = page.panel(rect, title_of(all, push, look));
   const double lowest = no_peg ? -0.8 : -0.5;
   const double highest = look.after ? 1.6 : 1.15;  // room for the turning sense
-  const render::Camera camera = render::fit(inside, {{-0.9, lowest}, {look.directions ? 1.1 : 0.9, highest}});
+  const Camera camera = fit(inside, {{-0.9, lowest}, {look.directions ? 1.1 : 0.9, highest}});
   page.canvas().push_clip(inside);
   Snapshot seen = push.before;
   seen.contacts.clear();
@@ -175,9 +160,9 @@ void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push
     page.canvas().circle(camera.project({push.x, 0}), page.sizes().contact, {.fill = page.theme().normal});
   if (look.push) draw_impulse(page, camera, all, push);
   if (look.asked) {
-    page.canvas().text(
-        camera.project({push.x, -0.35}), push.x == 0 ? significant(push.impulse, 3) + " N s" : "? N s",
-        {.size = 24, .color = page.theme().normal, .bold = true, .align = render::Align::center});
+    page.canvas().text(camera.project({push.x, -0.35}),
+                       push.x == 0 ? significant(push.impulse, 3) + " N s" : "? N s",
+                       {.size = 24, .color = page.theme().normal, .bold = true, .align = Align::center});
   }
   if (!no_peg && !(look.named && look.push)) draw_fall(page, camera, all, push, look);
   if (look.after) draw_turning(page, camera, push);

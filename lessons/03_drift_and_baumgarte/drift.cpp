@@ -1,10 +1,5 @@
 // The three worlds, what is noted of them, and how deep a ball may begin.
-#include "drift.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
+#include "lesson.hpp"
 
 namespace cairn::drift {
 

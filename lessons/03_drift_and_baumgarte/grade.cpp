@@ -1,6 +1,4 @@
 // Exercise 03, graded: single values, two time steps, and a box that settles.
-#include <limits>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise03 {

@@ -3,10 +3,7 @@
 // get rid of: a pendulum that leaves its circle in every step, a weight that hangs too low, and a ball inside
 // the ground. The rod of the first two holds in both directions. The ground can only push, so the ball may
 // keep the speed that took it out.
-#include <algorithm>
-#include <cmath>
-
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace {
 

@@ -1,22 +1,7 @@
 // Lesson 03. The three scenes in lines and rows, and what has to be true of them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "lesson.hpp"
 
 namespace cairn::drift {
-
-namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-/// Without what rounding leaves of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
-
-}  // namespace
 
 void print_scenes(Lesson& lesson, const DriftRuns& all) {
   lesson.print(
@@ -168,14 +153,13 @@ CsvTable balls_table(const DriftRuns& all) {
       .header = {"scene", "beta", "step", "error_metre", "speed_metre_per_second", "zeta", "lambda_newton"}};
   for (const BallRun& run : all.balls) {
     for (int k = 0; k < run.height.size(); ++k) {
-      table.rows.push_back({"ball", run.beta, static_cast<long long>(k), run.height[k], run.speed[k],
-                            run.zeta[k], run.lambda[k]});
+      table.rows.push_back({"ball", run.beta, k, run.height[k], run.speed[k], run.zeta[k], run.lambda[k]});
     }
   }
   const auto rods = [&](const char* scene, const auto& runs) {
     for (const auto& run : runs) {
       for (int k = 0; k < run.error.size(); ++k) {
-        table.rows.push_back({scene, run.beta, static_cast<long long>(k), run.error[k], 0.0, 0.0, 0.0});
+        table.rows.push_back({scene, run.beta, k, run.error[k], 0.0, 0.0, 0.0});
       }
     }
   };

@@ -1,23 +1,9 @@
 // Pendulums that leave their circle, and weights that are pulled back onto theirs.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "lessons/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::drift {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 const double weight_pitch = 0.42;  // [m] from weight to weight
 
@@ -45,10 +31,10 @@ std::string millimetres(double metres) {
 }
 
 void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const RodRun& run, int step) {
-  const render::SeriesStyle style = beta_style(page.theme(), run.beta);
+  const SeriesStyle style = beta_style(page.theme(), run.beta);
   const Rect field =
       draw_solver_panel(page, rect, style, beta_name(run.beta), "c = " + millimetres(run.error[step]));
-  const render::Camera camera = render::fit(field, {{-1.7, -1.7}, {1.7, 0.15}});
+  const Camera camera = fit(field, {{-1.7, -1.7}, {1.7, 0.15}});
   draw_trail(page, camera, true_circle(), {.color = page.theme().inactive, .dash = {3, 4}});
   const int second = static_cast<int>(std::lround(1 / all.settings.dt));
   draw_trail(page, camera, path_of(run, step, 2 * second), {.color = style.color});
@@ -56,41 +42,36 @@ void draw_pendulum(Page& page, const Rect& rect, const DriftRuns& all, const Rod
 }
 
 void draw_swing_errors(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  render::Plot plot{.title = "|c|: how much too long or too short the rod is (m)"};
+  Plot plot{.title = "|c|: how much too long or too short the rod is (m)"};
   plot.x = {.title = "t (s)", .min = 0, .max = swing_time};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-4, .max = 1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-4, .max = 1};
   const int stride = std::max(1, all.swings[0].steps.size() / 250);
   for (const RodRun& run : all.swings) {
-    render::Series series{
-        .name = beta_name(run.beta), .style = beta_style(page.theme(), run.beta), .markers = false};
-    for (int k = 1; k <= step; k += stride) {
-      series.x.push_back(k * all.settings.dt);
-      series.y.push_back(std::max(std::abs(run.error[k]), 1e-5));
-    }
+    Series series{.name = beta_name(run.beta), .style = beta_style(page.theme(), run.beta), .markers = false};
+    for (int k = 1; k <= step; k += stride)
+      series.add(k * all.settings.dt, std::max(std::abs(run.error[k]), 1e-5));
     plot.series.push_back(series);
   }
   draw_plot(page, rect, plot);
 }
 
 void draw_swing(Page& page, const DriftRuns& all, int step) {
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<double> weights(all.swings.size(), 1.0);
-  const List<Rect> panels = columns(parts[0], weights, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.5, 0.5});
+  const List<Rect> panels = in_columns(page, parts[0], List<Cut>(all.swings.size(), 1.0));
   for (int i = 0; i < all.swings.size(); ++i) draw_pendulum(page, panels[i], all, all.swings[i], step);
   draw_swing_errors(page, parts[1], all, step);
 }
 
-Shot swing_shot(const Runs& all, int step) {
-  std::string alt =
-      fmt::format("Pendulums after {:.1f} s, drawn over the true circle: the rod is too long by",
-                  step * all->settings.dt);
-  for (const RodRun& run : all->swings) {
+Shot swing_shot(const DriftRuns& all, int step) {
+  std::string alt = fmt::format(
+      "Pendulums after {:.1f} s, drawn over the true circle: the rod is too long by", step * all.settings.dt);
+  for (const RodRun& run : all.swings) {
     alt += fmt::format(" {:.4f} m with β = {:g};", run.error[step], run.beta);
   }
   alt.back() = '.';
-  return {.state = fmt::format("pendulum · t = {} s", fixed(step * all->settings.dt, 1)),
+  return {.state = fmt::format("pendulum · t = {} s", fixed(step * all.settings.dt, 1)),
           .alt = alt,
-          .draw = [all, step](Page& page) { draw_swing(page, *all, step); }};
+          .draw = [&all, step](Page& page) { draw_swing(page, all, step); }};
 }
 
 /// All weights in one scene, side by side, each on its own rod.
@@ -115,65 +96,61 @@ Snapshot side_by_side(const DriftRuns& all, int step) {
 void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, int step) {
   const Rect inside = page.panel(rect, "β of each weight; dashed: where it should hang");
   const double right = weight_pitch * (all.hangs.size() - 1);
-  const render::Camera camera = render::fit(inside, {{-0.3, -1.5}, {right + 0.3, 0.2}});
+  const Camera camera = fit(inside, {{-0.3, -1.5}, {right + 0.3, 0.2}});
   page.canvas().line(camera.project({-0.25, -rod_length}), camera.project({right + 0.25, -rod_length}),
                      {.width = 1.5, .color = page.theme().inactive, .dash = {8, 5}});
   draw_world(page, camera, side_by_side(all, step), {.numbers = false});
   for (int i = 0; i < all.hangs.size(); ++i) {
     const double beta = all.hangs[i].beta;
-    page.canvas().text(camera.project({weight_pitch * i, 0.08}), fmt::format("{:g}", beta),
-                       {.size = 20,
-                        .color = beta_style(page.theme(), beta).color,
-                        .bold = true,
-                        .align = render::Align::center});
+    page.canvas().text(
+        camera.project({weight_pitch * i, 0.08}), fmt::format("{:g}", beta),
+        {.size = 20, .color = beta_style(page.theme(), beta).color, .bold = true, .align = Align::center});
   }
 }
 
 void draw_hang(Page& page, const DriftRuns& all, int step) {
-  const List<Rect> halves = columns(page.area(), {0.42, 0.58}, page.sizes().gap);
-  draw_weights(page, halves[0], all, step);
-  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  render::Plot plot{.title = "how far above its place each weight is: −c (mm)"};
+  const List<Rect> parts = in_columns(page, {0.42, {0.58, {0.64, 0.36}}});
+  draw_weights(page, parts[0], all, step);
+  Plot plot{.title = "how far above its place each weight is: −c (mm)"};
   plot.x = {.title = "step", .min = 0, .max = hang_steps};
   plot.y = {.title = "", .min = -350, .max = 350};
   for (const RodRun& run : all.hangs) {
     List<double> heights;
     for (int k = 0; k <= step; ++k) heights.push_back(-1000 * run.error[k]);
-    plot.series.push_back(
-        render::over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta), heights));
+    plot.series.push_back(over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta), heights));
     plot.series.back().markers = false;
   }
-  draw_plot(page, right[0], plot);
+  draw_plot(page, parts[1], plot);
   const RodRun& run = hang_of(all, all.settings.beta);
-  page.equation(right[1], {.number = fmt::format("eq (7), β = {:g}", run.beta),
+  page.equation(parts[2], {.number = fmt::format("eq (7), β = {:g}", run.beta),
                            .symbols = "c ← c + ζ Δt = (1 − β) c",
                            .numbers = fmt::format("= (1 − {:g}) × {} mm", run.beta,
                                                   fixed(1000 * run.error[step - 1], 2)),
                            .result = fmt::format("= {} mm", fixed(1000 * run.error[step], 2))});
 }
 
-Shot hang_shot(const Runs& all, int step) {
+Shot hang_shot(const DriftRuns& all, int step) {
   std::string alt = fmt::format("Hanging weights after step {}, off by", step);
-  for (const RodRun& run : all->hangs) {
+  for (const RodRun& run : all.hangs) {
     alt += fmt::format(" {:.1f} mm with β = {:g};", 1000 * run.error[step], run.beta);
   }
   alt.back() = '.';
   return {.state = fmt::format("weight · step {} of {}", step, hang_steps),
           .alt = alt,
-          .draw = [all, step](Page& page) { draw_hang(page, *all, step); }};
+          .draw = [&all, step](Page& page) { draw_hang(page, all, step); }};
 }
 
 }  // namespace
 
-List<Shot> swing_shots(const Runs& all) {
-  const int last = all->swings[0].steps.size() - 1;
+List<Shot> swing_shots(const DriftRuns& all) {
+  const int last = all.swings[0].steps.size() - 1;
   List<Shot> shots;
   for (int frame = 1; frame <= 50; ++frame) shots.push_back(swing_shot(all, frame * last / 50));
   shots.back().key = true;
   return shots;
 }
 
-List<Shot> hang_shots(const Runs& all) {
+List<Shot> hang_shots(const DriftRuns& all) {
   List<Shot> shots;
   for (int step = 1; step <= hang_steps; ++step) shots.push_back(hang_shot(all, step));
   shots.back().key = true;

@@ -1,32 +1,20 @@
 // J row by row, A entry by entry, b row by row: where each number comes from.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <utility>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/matrix.hpp"
+#include "lesson.hpp"
 
 namespace cairn::big {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
-
 using Entry = std::pair<int, int>;
 
 /// The first `rows_known` rows of J.
-render::MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
-  render::MatrixView view{.title = "J, without the ground's columns",
-                          .values = run.system.J,
-                          .row_names = row_names(run.boxes()),
-                          .column_names = column_names(run.boxes()),
-                          .column_group = 3,
-                          .active_row = active};
+MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
+  MatrixView view{.title = "J, without the ground's columns",
+                  .values = run.system.J,
+                  .row_names = row_names(run.boxes()),
+                  .column_names = column_names(run.boxes()),
+                  .column_group = 3,
+                  .active_row = active};
   for (int row = rows_known; row < run.boxes(); ++row) {
     for (int column = 0; column < 3 * run.boxes(); ++column) view.unknown.push_back({row, column});
   }
@@ -35,32 +23,30 @@ render::MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
 
 void draw_masses(Page& page, const StackRun& run) {
   const int n = run.boxes();
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.velocity = run.system.velocity});
-  const List<Rect> right = rows(halves[1], {0.78, 0.22}, page.sizes().gap);
-  draw_product(page, right[0],
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.78, 0.22}}});
+  draw_stack(page, parts[0], run, {.velocity = run.system.velocity});
+  draw_product(page, parts[1],
                {{.title = "v_{1}", .values = run.system.velocity, .row_names = column_names(n)},
                 {.title = "M^{−1}: 1/m, 1/m, 1/I of each box",
                  .values = run.system.inverse_mass.asDiagonal(),
                  .column_names = column_names(n),
                  .column_group = 3,
-                 .colors = render::MatrixColors::magnitude}},
+                 .colors = MatrixColors::magnitude}},
                {""});
-  page.note(right[1], "(1) and (2)",
+  page.note(parts[2], "(1) and (2)",
             "Three numbers for each box: how fast it moves to the right, how fast it moves up, and how fast "
             "it turns. "
             "The ground is left out.");
 }
 
 void draw_row(Page& page, const StackRun& run, int row) {
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.contact = row, .velocity = run.system.velocity});
-  const List<Rect> right = rows(halves[1], {0.46, 0.54}, page.sizes().gap);
-  draw_product(page, right[0], {view_of_J(run, row + 1, row)}, {});
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.46, 0.54}}});
+  draw_stack(page, parts[0], run, {.contact = row, .velocity = run.system.velocity});
+  draw_product(page, parts[1], {view_of_J(run, row + 1, row)}, {});
   const double v = run.system.velocity(1);
   const std::string below = row > 0 ? fmt::format("−1 × {} + ", in_brackets(fixed(v, 3))) : "";
   page.equation(
-      right[1],
+      parts[2],
       {.number = "eq (5)",
        .symbols =
            row > 0 ? fmt::format("j_{{{0}}}·v = −v_{{y{1}}} + v_{{y{0}}}", row + 1, row) : "j_{1}·v = v_{y1}",
@@ -83,11 +69,9 @@ List<Entry> entries_after(const StackRun& run, const Entry& last) {
 
 /// Left the stack; returns the upper part at the right, and two below it.
 List<Rect> lay_out_building(Page& page, const StackRun& run, const StackView& stack, double left) {
-  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
-  draw_stack(page, halves[0], run, stack);
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  const List<Rect> below = columns(right[1], {left, 1 - left}, page.sizes().gap);
-  return {right[0], below[0], below[1]};
+  const List<Rect> parts = in_columns(page, {0.36, {0.64, {0.42, {0.58, {left, 1 - left}}}}});
+  draw_stack(page, parts[0], run, stack);
+  return {parts[1], parts[2], parts[3]};
 }
 
 /// "1 × 1 × (−1) + 0 × 1 × 1": one product for each box that is in either row; only y is not 0.
@@ -105,7 +89,7 @@ std::string entry_in_numbers(const StackRun& run, int i, int j) {
 void draw_entry(Page& page, const StackRun& run, int i, int j) {
   const bool shared = j == i + 1;
   const List<Rect> parts = lay_out_building(page, run, {.row = i, .other_row = i == j ? -1 : j}, 0.34);
-  render::MatrixView J{.column_names = column_names(run.boxes()), .column_group = 3};
+  MatrixView J{.column_names = column_names(run.boxes()), .column_group = 3};
   J.title = i == j ? fmt::format("row {} of J", i + 1) : fmt::format("rows {} and {} of J", i + 1, j + 1);
   J.values.resize(i == j ? 1 : 2, 3 * run.boxes());
   J.values.row(0) = run.system.J.row(i);
@@ -140,7 +124,7 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
   draw_product(page, parts[0], {view_of_J(run, n, row)}, {});
   Eigen::MatrixXd stage(n, n + 1);
   stage << run.system.A, run.system.b;
-  List<render::MatrixView> system = system_views(run, stage, row);
+  List<MatrixView> system = system_views(run, stage, row);
   for (int later = row + 1; later < n; ++later) system[1].unknown.push_back({later, 0});
   draw_product(page, parts[1], system, {"λ ="});
   const std::string dt = brief(run.settings.dt);
@@ -153,30 +137,29 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
                            .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
 }
 
-Shot entry_shot(const Run& run, int i, int j) {
+Shot entry_shot(const StackRun& run, int i, int j) {
   return {.state = fmt::format("A · row {}, column {}", i + 1, j + 1),
           .alt = fmt::format(
               "Two rows of J, the boxes that they have, and A as far as it is known: entry {}, {} is "
               "{:.4g} per kg.",
-              i + 1, j + 1, run->system.A(i, j)),
-          .draw = [run, i, j](Page& page) { draw_entry(page, *run, i, j); },
+              i + 1, j + 1, run.system.A(i, j)),
+          .draw = [&run, i, j](Page& page) { draw_entry(page, run, i, j); },
           .key = i == 0 && (j == 1 || j == 2)};
 }
 
 }  // namespace
 
-List<Shot> building_shots(const Run& run) {
-  const int n = run->boxes();
+List<Shot> building_shots(const StackRun& run) {
+  const int n = run.boxes();
   List<Shot> shots;
-  shots.push_back({.state = "v and M⁻¹",
-                   .alt = "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
-                   .draw = [run](Page& page) { draw_masses(page, *run); },
-                   .key = true});
+  shots.push_back(key_shot(run, "v and M⁻¹",
+                           "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
+                           draw_masses));
   for (int row = 0; row < n; ++row) {
     shots.push_back({.state = fmt::format("J · row {} of {}", row + 1, n),
                      .alt = fmt::format("Row {} of J; its boxes part at {:.3f} m/s.", row + 1,
-                                        run->row_velocity(row) + 0.0),
-                     .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+                                        run.row_velocity(row) + 0.0),
+                     .draw = [&run, row](Page& page) { draw_row(page, run, row); },
                      .key = row == 1});
   }
   for (int i = 0; i < n; ++i) {
@@ -185,8 +168,8 @@ List<Shot> building_shots(const Run& run) {
   for (int row = 0; row < n; ++row) {
     shots.push_back({.state = fmt::format("b · row {} of {}", row + 1, n),
                      .alt = fmt::format("A and b as far as it is known: b of row {} is {:.4g} m/s².", row + 1,
-                                        run->system.b(row) + 0.0),
-                     .draw = [run, row](Page& page) { draw_right_side(page, *run, row); },
+                                        run.system.b(row) + 0.0),
+                     .draw = [&run, row](Page& page) { draw_right_side(page, run, row); },
                      .key = row == 0});
   }
   return shots;

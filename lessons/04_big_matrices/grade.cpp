@@ -1,9 +1,5 @@
 // Exercise 04, graded: a stack of four different boxes, entry by entry and against J M^-1 J^T, and one of
 // six.
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise04 {

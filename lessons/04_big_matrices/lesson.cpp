@@ -2,8 +2,7 @@
 // velocities likewise make v. The forces that make J v = ζ true (11) solve A λ = b, (14) and (15): one
 // equation for each contact. We build A and b for a stack of boxes, solve them by elimination, and put λ into
 // (12) to see that the stack stands still.
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::big {
 
@@ -76,7 +75,7 @@ using namespace cairn::big;
 
 StackRun solve_stack(const StackSettings& settings) {
   StackRun run{.settings = settings};
-  const VelocityProblem<double> problem = stack_rows(settings, gravity * settings.dt);
+  const VelocityProblem<double> problem = stack_rows(settings, gravity);
   run.system = assemble(problem);
   run.stages = eliminate(run.system);
   run.lambda = substitute_back(run.stages.back());

@@ -1,29 +1,14 @@
 // The stack beside the matrices, the question, and the answer.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::big {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-
 /// Beside the stack: right-aligned at a left side, with its unit if there is room.
-void write_beside(Page& page, const render::Camera& camera, const Point& at, const std::string& text,
+void write_beside(Page& page, const Camera& camera, const Point& at, const std::string& text,
                   const std::string& shorter, bool left) {
-  render::TextStyle style = page.value();
-  style.align = left ? render::Align::right : render::Align::left;
+  TextStyle style = aligned(page.value(), left ? Align::right : Align::left);
   const double width = page.canvas().text_width(text, style);
   const Rect& view = camera.viewport;
   const bool fits = left ? at.x() - width > view.x : at.x() + width < view.x + view.width;
@@ -31,13 +16,13 @@ void write_beside(Page& page, const render::Camera& camera, const Point& at, con
 }
 
 /// Left of the stack what each contact pushes upwards, as far as it is known.
-void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, int known) {
-  const render::ArrowScale scale{.pixels_per_unit = 0.9 * camera.scale / lambda_by_formula(run, 0),
-                                 .longest = camera.scale,
-                                 .unit = "N"};
+void draw_pushes(Page& page, const Camera& camera, const StackRun& run, int known) {
+  const ArrowScale scale{.pixels_per_unit = 0.9 * camera.scale / lambda_by_formula(run, 0),
+                         .longest = camera.scale,
+                         .unit = "N"};
   for (int i = run.boxes() - known; i < run.boxes(); ++i) {
     draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::normal, .tail = {-0.7, i}, .value = {0, run.lambda(i)}});
+               {.kind = ArrowKind::normal, .tail = {-0.7, i}, .value = {0, run.lambda(i)}});
     const std::string value = brief(run.lambda(i)) + " N";
     write_beside(page, camera, camera.project({-0.7, i + 0.25}) - Point(14, 0),
                  fmt::format("λ_{{{}}} = {}", i + 1, value), value, true);
@@ -45,21 +30,20 @@ void draw_pushes(Page& page, const render::Camera& camera, const StackRun& run, 
 }
 
 /// Right of the stack how fast each box moves.
-void draw_speeds(Page& page, const render::Camera& camera, const StackRun& run,
-                 const Eigen::VectorXd& velocity) {
+void draw_speeds(Page& page, const Camera& camera, const StackRun& run, const Eigen::VectorXd& velocity) {
   const double largest = std::max(gravity * run.settings.dt, velocity.cwiseAbs().maxCoeff());
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = 0.5 * camera.scale / largest, .longest = camera.scale, .unit = "m/s"};
   for (int i = 0; i < run.boxes(); ++i) {
     const double v = velocity(3 * i + 1);
     const Vec2<double> tail(0.7, i + 0.5);
-    draw_arrow(page, camera, scale, {.kind = render::ArrowKind::velocity, .tail = tail, .value = {0, v}});
+    draw_arrow(page, camera, scale, {.kind = ArrowKind::velocity, .tail = tail, .value = {0, v}});
     write_beside(page, camera, camera.project(tail) + Point(16, 0), brief(v) + " m/s", brief(v), false);
   }
 }
 
 /// A bracket around the boxes of a row, which are the one below its contact and the one above.
-void draw_bracket(Page& page, const render::Camera& camera, int row, bool left) {
+void draw_bracket(Page& page, const Camera& camera, int row, bool left) {
   const double x = left ? -0.7 : 0.7, end = left ? 0.08 : -0.08, bottom = std::max(0, row - 1);
   const FixedList<Point, 4> points = {camera.project({x + end, bottom + 0.06}),
                                       camera.project({x, bottom + 0.06}), camera.project({x, row + 0.94}),
@@ -71,7 +55,7 @@ void draw_bracket(Page& page, const render::Camera& camera, int row, bool left) 
 
 /// The stack that stands, and below it λ as the first column of the inverse, times the one number of b.
 void draw_answer(Page& page, const Rect& rect, const StackRun& run) {
-  const List<Rect> parts = rows(rect, {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rect, {0.55, 0.45});
   draw_stack(page, parts[0], run, {.known = run.boxes(), .velocity = run.velocity});
   const List<std::string> names = row_names(run.boxes());
   draw_product(page, parts[1],
@@ -99,10 +83,10 @@ std::string answer_text(const StackRun& run) {
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackView& view) {
   const Rect inside = page.panel(rect, "");
   const double n = run.boxes(), bottom = -0.35;
-  render::Camera camera = render::fit(inside, {{-1.75, bottom}, {1.75, n + 0.2}});
+  Camera camera = fit(inside, {{-1.75, bottom}, {1.75, n + 0.2}});
   camera.center.y() =
       bottom + 0.5 * inside.height / camera.scale;  // little of the ground, whatever the panel
-  render::WorldLook look{.penetration = false};
+  WorldLook look{.penetration = false};
   look.active_contact = view.contact;
   if (view.contact >= 0) {
     look.active_a = {view.contact};
@@ -119,22 +103,20 @@ void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackVi
   }
 }
 
-void draw_product(Page& page, const Rect& rect, const List<render::MatrixView>& factors,
+void draw_product(Page& page, const Rect& rect, const List<MatrixView>& factors,
                   const List<std::string>& signs) {
   const Rect inside = page.panel(rect, "");
   const double title = 30, names = 26, gap = 1.4;  // [px, px, cells] above, below and between matrices
   double across = 1 + gap * signs.size();          // [cells] with the first one's row names
-  for (const render::MatrixView& view : factors) across += static_cast<double>(view.values.cols());
+  for (const MatrixView& view : factors) across += static_cast<double>(view.values.cols());
   const auto most = static_cast<double>(factors[0].values.rows());
   const double cell = std::min({64.0, inside.width / across, (inside.height - title - names) / most});
   const double top = inside.y + 0.5 * (inside.height - title - names - most * cell);
-  const render::TextStyle sign{.size = std::min(30.0, 0.5 * cell),
-                               .color = page.theme().text,
-                               .bold = true,
-                               .align = render::Align::center};
+  const TextStyle sign{
+      .size = std::min(30.0, 0.5 * cell), .color = page.theme().text, .bold = true, .align = Align::center};
   double x = inside.x + 0.5 * (inside.width - across * cell) + 0.7 * cell;
   for (int i = 0; i < factors.size(); ++i) {
-    const render::MatrixView& view = factors[i];
+    const MatrixView& view = factors[i];
     const double left = view.row_names.empty() ? 0 : 24;  // [px] of the row names
     const double below = view.column_names.empty() ? 2 : names;
     const double width = static_cast<double>(view.values.cols()) * cell;
@@ -148,7 +130,7 @@ void draw_product(Page& page, const Rect& rect, const List<render::MatrixView>& 
   }
 }
 
-List<render::MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd& stage, int active) {
+List<MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd& stage, int active) {
   const int n = run.boxes();
   return {{.title = "A (kg^{−1})",
            .values = stage.leftCols(n),
@@ -173,32 +155,14 @@ List<std::string> row_names(int rows) {
   return names;
 }
 
-std::string brief(double value) {
-  std::string text = fixed(value, 3);
-  while (text.ends_with('0')) text.pop_back();
-  if (text.ends_with('.')) text.pop_back();
-  return text;
-}
-
-std::string in_thousands(double count) {
-  std::string digits = fmt::format("{:.0f}", count);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, "\u00a0");
-  return digits;
-}
-
-std::string in_brackets(const std::string& number) {
-  return number.starts_with("−") ? "(" + number + ")" : number;
-}
-
-List<Shot> stack_shots(const StackRun& recorded) {
-  const Run run = std::make_shared<const StackRun>(recorded);
+List<Shot> stack_shots(const StackRun& run) {
   List<Shot> shots = {question_shot(
       card(),
       {.state = "before the first row",
        .alt = "Three stacked boxes that fall at the same speed, equation 15, and the question for the "
               "numbers of b",
-       .scene = [run](Page& page, const Rect& rect) {
-         draw_stack(page, rect, *run, {.asks = true, .velocity = run->system.velocity});
+       .scene = [&run](Page& page, const Rect& rect) {
+         draw_stack(page, rect, run, {.asks = true, .velocity = run.system.velocity});
        }})};
   for (const List<Shot>& part : {building_shots(run), solving_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
@@ -206,8 +170,8 @@ List<Shot> stack_shots(const StackRun& recorded) {
       card(),
       {.state = "answer",
        .alt = "The stack held by its contacts; below it the inverse of A times b is λ; and the answer.",
-       .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
-      answer_text(recorded)));
+       .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
+      answer_text(run)));
   return shots;
 }
 

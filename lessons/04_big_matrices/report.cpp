@@ -1,22 +1,7 @@
 // Lesson 04. The matrices in lines and rows, and what has to be true of them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "lesson.hpp"
 
 namespace cairn::big {
-
-namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-}  // namespace
-
-double cleaned(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
 
 void print_scene(Lesson& lesson, const StackRun& run) {
   lesson.print(fmt::format(
@@ -88,10 +73,9 @@ void print_solution(Lesson& lesson, const StackRun& run) {
 void print_growth(Lesson& lesson, const StackRun& run) {
   lesson.print("boxes    numbers in J    not 0    in A    not 0    multiplications, if A were full");
   for (const Growth& growth : run.growth) {
-    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>13}", growth.boxes,
-                             in_thousands(growth.all_of_J), in_thousands(growth.used_of_J),
-                             in_thousands(growth.all_of_A), in_thousands(growth.used_of_A),
-                             in_thousands(growth.elimination)));
+    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>13}", growth.boxes, spaced(growth.all_of_J),
+                             spaced(growth.used_of_J), spaced(growth.all_of_A), spaced(growth.used_of_A),
+                             spaced(growth.elimination)));
   }
   lesson.print();
 }
@@ -197,8 +181,7 @@ CsvTable entries_table(const StackRun& run) {
   const auto add = [&table](const char* name, const Eigen::MatrixXd& matrix) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
       for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-        table.rows.push_back(
-            {name, static_cast<long long>(i + 1), static_cast<long long>(j + 1), matrix(i, j)});
+        table.rows.push_back({name, i + 1, j + 1, matrix(i, j)});
       }
     }
   };

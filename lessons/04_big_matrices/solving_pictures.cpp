@@ -1,21 +1,9 @@
 // Elimination, λ from the top down, the velocities after it, and what a larger stack would cost.
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::big {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 /// "(0, −1, 2 | 0)", times a factor.
 std::string row_in_numbers(const Eigen::MatrixXd& stage, int row, double factor) {
@@ -28,15 +16,14 @@ std::string row_in_numbers(const Eigen::MatrixXd& stage, int row, double factor)
 }
 
 void draw_elimination(Page& page, const StackRun& run, int row) {
-  const List<Rect> halves = columns(page.area(), {0.3, 0.7}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.contact = row});
-  const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.3, {0.7, {0.52, 0.48}}});
+  draw_stack(page, parts[0], run, {.contact = row});
   const Eigen::MatrixXd &before = run.stages[row - 1], &after = run.stages[row];
-  List<render::MatrixView> both = system_views(run, before, row);
-  for (const render::MatrixView& view : system_views(run, after, row)) both.push_back(view);
-  draw_product(page, right[0], both, {"λ =", "→", "λ ="});
+  List<MatrixView> both = system_views(run, before, row);
+  for (const MatrixView& view : system_views(run, after, row)) both.push_back(view);
+  draw_product(page, parts[1], both, {"λ =", "→", "λ ="});
   const double factor = before(row, row - 1) / before(row - 1, row - 1);
-  page.equation(right[1],
+  page.equation(parts[2],
                 {.number = fmt::format("row {} loses its λ_{{{}}}", row + 1, row),
                  .symbols = fmt::format("row {} − {} × row {}", row + 1, in_brackets(brief(factor)), row),
                  .numbers = fmt::format("= {} + {}", row_in_numbers(before, row, 1),
@@ -47,10 +34,9 @@ void draw_elimination(Page& page, const StackRun& run, int row) {
 
 void draw_back(Page& page, const StackRun& run, int row) {
   const int n = run.boxes();
-  const List<Rect> halves = columns(page.area(), {0.38, 0.62}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.contact = row, .known = n - row});
-  const List<Rect> right = rows(halves[1], {0.52, 0.48}, page.sizes().gap);
-  draw_product(page, right[0], system_views(run, run.stages.back(), row), {"λ ="});
+  const List<Rect> parts = in_columns(page, {0.38, {0.62, {0.52, 0.48}}});
+  draw_stack(page, parts[0], run, {.contact = row, .known = n - row});
+  draw_product(page, parts[1], system_views(run, run.stages.back(), row), {"λ ="});
   const Eigen::MatrixXd& last = run.stages.back();
   const std::string pivot = brief(last(row, row));
   const bool is_last = row + 1 == n;
@@ -62,7 +48,7 @@ void draw_back(Page& page, const StackRun& run, int row) {
       is_last ? fmt::format("= {} / {}", brief(last(row, n)), pivot)
               : fmt::format("= ({} − {} × {}) / {}", brief(last(row, n)),
                             in_brackets(brief(last(row, row + 1))), brief(run.lambda(row + 1)), pivot);
-  page.equation(right[1], {.number = "eq (14)",
+  page.equation(parts[2], {.number = "eq (14)",
                            .symbols = symbols,
                            .numbers = numbers,
                            .result = fmt::format("= {} N", brief(run.lambda(row))),
@@ -71,10 +57,9 @@ void draw_back(Page& page, const StackRun& run, int row) {
 
 void draw_velocities(Page& page, const StackRun& run) {
   const int n = run.boxes();
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.known = n, .velocity = run.velocity});
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  render::TableView table;
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.42, 0.58}}});
+  draw_stack(page, parts[0], run, {.known = n, .velocity = run.velocity});
+  TableView table;
   table.header = {"box", "v_{1} (m/s)", "from below (N)", "from above (N)", "v_{2} (m/s)"};
   for (int i = n - 1; i >= 0; --i) {
     table.rows.push_back({fmt::format("{}", i + 1), fixed(run.system.velocity(3 * i + 1), 3),
@@ -82,9 +67,9 @@ void draw_velocities(Page& page, const StackRun& run) {
                           fixed(run.velocity(3 * i + 1) + 0.0, 3)});
   }
   table.active_row = n - 1;
-  page.table(right[0], "M^{−1} J^{T} λ Δt, box by box", table);
+  page.table(parts[1], "M^{−1} J^{T} λ Δt, box by box", table);
   page.equation(
-      right[1],
+      parts[2],
       {.number = "eq (12), box 1",
        .symbols = "v_{2} = v_{1} + (λ_{1} − λ_{2}) Δt / m",
        .numbers = fmt::format("= {} + ({} − {}) × {}", fixed(run.system.velocity(1), 3),
@@ -95,44 +80,42 @@ void draw_velocities(Page& page, const StackRun& run) {
 }
 
 void draw_without_gravity(Page& page, const StackRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.4, 0.6}, page.sizes().gap);
-  draw_stack(page, halves[0], run, {.velocity = run.velocity_without});
-  const List<Rect> right = rows(halves[1], {0.4, 0.25, 0.35}, page.sizes().gap);
-  page.note(right[0], "A trap",
+  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.4, 0.25, 0.35}}});
+  draw_stack(page, parts[0], run, {.velocity = run.velocity_without});
+  page.note(parts[1], "A trap",
             "(12) has no force in it but those of the rows. If v_{1} is the velocity of a "
             "stack at rest, and gravity comes afterwards, b does not know of it: no contact "
             "carries any weight, and the stack falls.");
-  render::TableView table;
+  TableView table;
   table.header = {"gravity is added", "b_{1} (m/s²)", "λ_{1} (N)", "v after (m/s)"};
   const double b = run.system.zeta(0) / run.settings.dt;
   table.rows = {
       {"before b", brief(run.system.b(0)), fixed(run.lambda(0), 2), fixed(run.velocity(1) + 0.0, 3)},
       {"after", brief(b), fixed(run.lambda_without(0) + 0.0, 2), fixed(run.velocity_without(1), 3)}};
   table.active_row = 1;
-  page.table(right[1], "the lowest box", table);
+  page.table(parts[2], "the lowest box", table);
   const std::string dt = brief(run.settings.dt);
-  page.equation(right[2], {.number = "eq (15), at rest",
+  page.equation(parts[3], {.number = "eq (15), at rest",
                            .symbols = "b_{1} = ζ/Δt − j_{1}·v_{1}/Δt",
                            .numbers = fmt::format("= {}/{} − 0/{}", brief(run.system.zeta(0)), dt, dt),
                            .result = fmt::format("= {} m/s²", brief(b))});
 }
 
 void draw_growth(Page& page, const StackRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
-  const render::Theme& theme = page.theme();
-  render::Plot plot{.title = "numbers in J and A, multiplications of an elimination"};
-  plot.x = {.title = "boxes", .scale = render::AxisScale::logarithmic, .min = 2, .max = 400};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 3, .max = 3e7};
-  plot.series = {{.name = "elimination", .style = {theme.text, {}, render::Marker::circle}},
+  const List<Rect> parts = in_columns(page, {0.6, 0.4});
+  const Theme& theme = page.theme();
+  Plot plot{.title = "numbers in J and A, multiplications of an elimination"};
+  plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 400};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3e7};
+  plot.series = {{.name = "elimination", .style = {theme.text, {}, Marker::circle}},
                  {.name = "all of J", .style = theme.si},
                  {.name = "all of A", .style = theme.jacobi},
                  {.name = "not 0 in A", .style = theme.box2d}};
   for (const Growth& growth : run.growth) {
-    for (render::Series& one : plot.series) one.x.push_back(growth.boxes);
-    plot.series[0].y.push_back(growth.elimination);
-    plot.series[1].y.push_back(growth.all_of_J);
-    plot.series[2].y.push_back(growth.all_of_A);
-    plot.series[3].y.push_back(growth.used_of_A);
+    plot.series[0].add(growth.boxes, growth.elimination);
+    plot.series[1].add(growth.boxes, growth.all_of_J);
+    plot.series[2].add(growth.boxes, growth.all_of_A);
+    plot.series[3].add(growth.boxes, growth.used_of_A);
   }
   draw_plot(page, parts[0], plot);
   const Growth& largest = run.growth.back();
@@ -142,46 +125,43 @@ void draw_growth(Page& page, const StackRun& run) {
                 "takes {:.1f} million multiplications where A is full, and contacts that may only push need "
                 "several tries. So solvers for games sweep over the rows instead, and "
                 "sequential impulses (lesson 06) never build A at all.",
-                largest.boxes, in_thousands(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination),
+                largest.boxes, spaced(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination),
             question_growth);
 }
 
-Shot back_shot(const Run& run, int row) {
+Shot back_shot(const StackRun& run, int row) {
   return {
       .state = fmt::format("λ of row {}", row + 1),
       .alt = fmt::format("After elimination row {} gives {:.4g} N; pushes that are known stand beside the "
                          "stack.",
-                         row + 1, run->lambda(row)),
-      .draw = [run, row](Page& page) { draw_back(page, *run, row); },
+                         row + 1, run.lambda(row)),
+      .draw = [&run, row](Page& page) { draw_back(page, run, row); },
       .key = row == 0};
 }
 
 }  // namespace
 
-List<Shot> solving_shots(const Run& run) {
-  const int n = run->boxes();
+List<Shot> solving_shots(const StackRun& run) {
+  const int n = run.boxes();
   List<Shot> shots;
   for (int row = 1; row < n; ++row) {
     shots.push_back(
         {.state = fmt::format("elimination · row {}", row + 1),
          .alt = fmt::format("A and b once λ of row {} has been eliminated from row {}.", row, row + 1),
-         .draw = [run, row](Page& page) { draw_elimination(page, *run, row); },
+         .draw = [&run, row](Page& page) { draw_elimination(page, run, row); },
          .key = row + 1 == n});
   }
   for (int row = n - 1; row >= 0; --row) shots.push_back(back_shot(run, row));
-  shots.push_back({.state = "v₂ = v₁ + M⁻¹ Jᵀ λ Δt",
-                   .alt = "Velocities before and after, and the two pushes upon each box.",
-                   .draw = [run](Page& page) { draw_velocities(page, *run); },
-                   .key = true});
-  shots.push_back({.state = "gravity after b",
-                   .alt = "The same stack with gravity added after b was formed: no contact holds it.",
-                   .draw = [run](Page& page) { draw_without_gravity(page, *run); },
-                   .key = true});
-  shots.push_back({.state = "3 to 300 boxes",
-                   .alt = "Numbers in J and A, and multiplications of an elimination, against the number of "
-                          "boxes.",
-                   .draw = [run](Page& page) { draw_growth(page, *run); },
-                   .key = true});
+  shots.push_back(key_shot(run, "v₂ = v₁ + M⁻¹ Jᵀ λ Δt",
+                           "Velocities before and after, and the two pushes upon each box.",
+                           draw_velocities));
+  shots.push_back(key_shot(run, "gravity after b",
+                           "The same stack with gravity added after b was formed: no contact holds it.",
+                           draw_without_gravity));
+  shots.push_back(key_shot(run, "3 to 300 boxes",
+                           "Numbers in J and A, and multiplications of an elimination, against the number of "
+                           "boxes.",
+                           draw_growth));
   return shots;
 }
 

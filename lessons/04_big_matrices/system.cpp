@@ -1,19 +1,17 @@
 // The rows of a stack, its system as the library and others see it, and formulas for it.
-#include "system.hpp"
+#include "lesson.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
-
-#include "solvers/exact/reference_solver.hpp"
+#include "validation/column.hpp"
 
 namespace cairn::big {
 
 namespace {
 
 Growth growth_of(int boxes) {
-  const SystemMatrices<double> system = system_matrices(stack_rows({.boxes = boxes}, 0.2));
+  const SystemMatrices<double> system = system_matrices(stack_rows({.boxes = boxes}, gravity));
   const Eigen::MatrixXd J = system.J.rightCols(system.J.cols() - 3);  // without the ground
   Growth growth{.boxes = boxes};
   growth.all_of_J = static_cast<double>(J.size());
@@ -23,19 +21,6 @@ Growth growth_of(int boxes) {
   const double m = boxes;
   growth.elimination = (m * m * m - m) / 3 + m * m;
   return growth;
-}
-
-Snapshot stack_at_rest(const StackSettings& settings) {
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < settings.boxes; ++i) {
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i - settings.sunk}, .mass = 1});
-  }
-  Snapshot result = snapshot(World(scene));
-  for (int i = 0; i < settings.boxes; ++i) {
-    result.contacts.push_back({.a = {i}, .b = {i + 1}, .position = {0, i - settings.sunk}, .normal = {0, 1}});
-  }
-  return result;
 }
 
 /// Gravity is left out of v_1, and added when all is solved.
@@ -50,28 +35,11 @@ void solve_without_gravity(StackRun& run) {
 
 }  // namespace
 
-VelocityProblem<double> stack_rows(const StackSettings& settings, double fall) {
-  const int n = settings.boxes;
-  VelocityProblem<double> problem;
-  problem.dt = settings.dt;
-  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // I = m (1 + 1) / 12
-  problem.inverse_mass[ground] = {0, 0, 0};       // the ground
-  problem.inverse_mass[{n}] /= settings.top;
-  problem.velocity.assign(n + 1, {0, -fall, 0});
-  problem.velocity[ground] = {0, 0, 0};
-  problem.impulse.assign(n, 0.0);
-  for (int contact = 0; contact < settings.boxes; ++contact) {
-    ConstraintRow<double> row;
-    row.a = {contact};  // the body below; 0 is the ground
-    row.b = {contact + 1};
-    row.jacobian_a = {0, -1, 0};
-    row.jacobian_b = {0, 1, 0};
-    row.bias = contact == 0 ? baumgarte * settings.sunk / settings.dt : 0;  // ζ (7)
-    row.bounds = Bounds<double>::unilateral();
-    row.key = {.source = static_cast<std::uint64_t>(contact)};
-    problem.blocks.push_back({contact, 1});
-    problem.rows.push_back(row);
-  }
+VelocityProblem<double> stack_rows(const StackSettings& settings, double pull) {
+  List<double> masses(settings.boxes, 1.0);
+  masses.back() = settings.top;
+  VelocityProblem<double> problem = cases::column<double>(masses, pull, settings.dt);
+  problem.rows[0].bias = baumgarte * settings.sunk / settings.dt;  // ζ (7)
   return problem;
 }
 
@@ -95,7 +63,7 @@ void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run) {
   run.eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(run.system.A).eigenvalues();
   solve_without_gravity(run);
   for (const int boxes : {3, 10, 30, 100, 300}) run.growth.push_back(growth_of(boxes));
-  run.snapshot = stack_at_rest(run.settings);
+  run.snapshot = stack_at_rest(run.boxes(), run.settings.sunk);
 }
 
 double mass_above(const StackRun& run, int contact) {

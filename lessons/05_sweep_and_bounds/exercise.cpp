@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise05 {
 

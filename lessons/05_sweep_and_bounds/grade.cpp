@@ -1,6 +1,4 @@
 // Exercise 05, graded: boxes of 2 and 0.5 kg, every kind of row at both ends of its interval, and a rod.
-#include <cmath>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise05 {

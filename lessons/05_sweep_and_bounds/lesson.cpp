@@ -3,11 +3,9 @@
 // which finds out which contacts push and which let go. A stack of boxes shows how fast it converges, a rod
 // on two supports what the clamp does. The loop stands here; the library's solver runs beside it and is
 // recorded.
-#include <algorithm>
-#include <numeric>
+#include "lesson.hpp"
 
-#include "math/list.hpp"
-#include "parts.hpp"
+#include <numeric>
 
 namespace cairn::sweeps {
 

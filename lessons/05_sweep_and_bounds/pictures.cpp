@@ -1,36 +1,14 @@
 // The stack as a matrix that is swept, how the error shrinks, and the intervals of all kinds of rows.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "lessons/question.hpp"
-#include "lessons/stack_panel.hpp"
-#include "math/list.hpp"
-#include "render/bars.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::sweeps {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-
-std::string with_brackets(const std::string& number) {
-  return number.starts_with("−") ? "(" + number + ")" : number;
-}
-
 void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
   const Swept& up = run.stack.up;
   const int active = up.updates[k].row;
-  render::BarChart chart{.title = "λ (N)", .largest = 1.25 * run.stack.exact[0]};
+  BarChart chart{.title = "λ (N)", .largest = 1.25 * run.stack.exact[0]};
   for (int i = run.stack.exact.size() - 1; i >= 0; --i) {  // the uppermost contact first, as in the stack
     const double before = k > 0 ? up.after[k - 1][i] : 0;
     chart.bars.push_back({.name = fmt::format("row {}", i + 1),
@@ -44,19 +22,17 @@ void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
 
 /// Stack left, matrix and bars at the top right; returns what is free below them.
 Rect draw_moment(Page& page, const SweepRun& run, int k) {
-  const List<Rect> halves = columns(page.area(), {0.34, 0.66}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.34, {0.66, {{0.58, {0.4, 0.6}}, 0.42}}});
   const int active = run.stack.up.updates[k].row;
   const PerRow<double>& lambda = run.stack.up.after[k];
-  draw_stack_panel(page, page.panel(halves[0], "pushes up and down (N)"),
+  draw_stack_panel(page, page.panel(parts[0], "pushes up and down (N)"),
                    {.stack = run.stack.snapshot,
                     .lambda = {lambda.begin(), lambda.end()},
                     .active = active,
                     .largest_lambda = run.stack.exact[0]});
-  const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
-  const List<Rect> top = columns(right[0], {0.4, 0.6}, page.sizes().gap);
-  draw_system(page, top[0], run.stack.system, active);
-  draw_lambda(page, top[1], run, k);
-  return right[1];
+  draw_system(page, parts[1], run.stack.system, active);
+  draw_lambda(page, parts[2], run, k);
+  return parts[3];
 }
 
 void draw_update(Page& page, const SweepRun& run, int k) {
@@ -65,18 +41,16 @@ void draw_update(Page& page, const SweepRun& run, int k) {
 }
 
 /// What is missing of one lambda after each sweep, over its exact value.
-render::Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
-  render::Series series{.name = name};
-  for (int k = 0; k < swept.by_sweep.size(); ++k) {
-    series.x.push_back(k);
-    series.y.push_back(std::abs(stack.exact[row] - swept.by_sweep[k][row]) / stack.exact[row]);
-  }
+Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
+  Series series{.name = name};
+  for (int k = 0; k < swept.by_sweep.size(); ++k)
+    series.add(k, std::abs(stack.exact[row] - swept.by_sweep[k][row]) / stack.exact[row]);
   return series;
 }
 
 /// A table of what a sweep leaves, and of how many sweeps a digit takes.
-render::TableView shares_left(int boxes) {
-  render::TableView table;
+TableView shares_left(int boxes) {
+  TableView table;
   table.header = {"boxes n", "ρ", "sweeps a digit"};
   for (const int n : {2, 3, 5, 10, 20}) {
     const double factor = error_factor(n);
@@ -87,32 +61,31 @@ render::TableView shares_left(int boxes) {
 }
 
 void draw_errors(Page& page, const SweepRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.6, 0.4}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.6, {0.4, {0.52, 0.48}}});
   const StackRun& stack = run.stack;
   const int top = stack.exact.size() - 1;
   const std::string name = fmt::format("λ_{{{}}}", top + 1);
-  render::Plot plot{.title = "error of λ, over its exact value"};
+  Plot plot{.title = "error of λ, over its exact value"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic};
   plot.series = {missing(name + " top down", stack.down, stack, top),
                  missing(name + " ground up", stack.up, stack, top),
                  missing("λ_{1} either way", stack.up, stack, 0)};
   plot.y.min = 0.6 * plot.series[2].y.back();
-  plot.series[0].style = {page.theme().inactive, {}, render::Marker::diamond};
+  plot.series[0].style = {page.theme().inactive, {}, Marker::diamond};
   plot.series[1].style = page.theme().pgs;
   plot.series[1].style.dash = {10, 6};
-  plot.series[1].style.marker = render::Marker::triangle;
+  plot.series[1].style.marker = Marker::triangle;
   plot.series[2].style = page.theme().pgs;
   draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.52, 0.48}, page.sizes().gap);
-  page.note(right[0], "How the error shrinks",
+  page.note(parts[1], "How the error shrinks",
             "Only row 1 has b ≠ 0. If the sweeps go from the ground up, the first one carries that to the "
             "top. If they go from the top down, it climbs one contact a sweep. Then a sweep leaves "
             "ρ = cos²(π/2n) of every error.");
-  page.table(right[1], "what a sweep leaves", shares_left(run.settings.boxes));
+  page.table(parts[2], "what a sweep leaves", shares_left(run.settings.boxes));
 }
 
-render::Color color_of(const render::Theme& theme, const Bounds<double>& bounds) {
+Color color_of(const Theme& theme, const Bounds<double>& bounds) {
   if (bounds.is_friction()) return theme.friction;
   return bounds.is_unilateral() ? theme.normal : theme.joint;
 }
@@ -125,16 +98,16 @@ void draw_interval(Page& page, const Rect& rect, const Interval& kind) {
   const double scale = rect.width / 24;
   const double y = rect.y + rect.height / 2;
   const double zero = rect.x + rect.width / 2;
-  render::Canvas& canvas = page.canvas();
+  Canvas& canvas = page.canvas();
   canvas.line({rect.x, y}, {rect.x + rect.width, y}, {.width = 1.5, .color = page.theme().frame_line});
   const double thick = 9, tall = 16;
   const double from = std::max(zero + low * scale, rect.x + tall);
   const double to = std::min(zero + high * scale, rect.x + rect.width - tall);
-  const render::Color color = color_of(page.theme(), kind.bounds);
+  const Color color = color_of(page.theme(), kind.bounds);
   canvas.line({from, y}, {to, y}, {.width = thick, .color = color});
-  render::TextStyle style = page.value();
+  TextStyle style = page.value();
   style.size *= 1.3;
-  style.align = render::Align::center;
+  style.align = Align::center;
   for (const double sign : {-1.0, 1.0}) {
     const double end = sign < 0 ? low : high;
     const double x = sign < 0 ? from : to;
@@ -160,9 +133,9 @@ void draw_intervals(Page& page) {
   const List<double> weights(kinds.size(), 1.0);
   const List<Rect> lines = rows(inside, weights, page.sizes().gap / 2);
   for (int k = 0; k < kinds.size(); ++k) {
-    const List<Rect> parts = columns(lines[k], {0.34, 0.66}, page.sizes().gap);
+    const List<Rect> parts = in_columns(page, lines[k], {0.34, 0.66});
     const Rect& words = parts[0];
-    render::TextStyle name = page.label(), reason = page.secondary();
+    TextStyle name = page.label(), reason = page.secondary();
     name.size *= 1.35, name.bold = true, reason.size *= 1.12;
     const double middle = words.y + words.height / 2;
     page.canvas().text({words.x, middle - 4}, kinds[k].name, name);
@@ -171,29 +144,28 @@ void draw_intervals(Page& page) {
   }
 }
 
-Shot update_shot(const Run& run, int k) {
-  const RowUpdate<double>& update = run->stack.up.updates[k];
+Shot update_shot(const SweepRun& run, int k) {
+  const RowUpdate<double>& update = run.stack.up.updates[k];
   const int row = update.row;
-  const int n = run->settings.boxes;
-  const bool last = k + 1 == run->stack.up.updates.size();
-  return {.state = fmt::format("A · sweep {}/{} · row {} of {}", update.sweep, run->settings.sweeps,
+  const int n = run.settings.boxes;
+  const bool last = k + 1 == run.stack.up.updates.size();
+  return {.state = fmt::format("A · sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps,
                                update.row + 1, n),
           .alt = fmt::format("Stack, A and b, bars of λ: sweep {}, row {} puts its λ to {:.4f} N; exact is "
                              "{:g} N.",
-                             update.sweep, row + 1, run->stack.up.after[k][row], run->stack.exact[row]),
-          .draw = [run, k](Page& page) { draw_update(page, *run, k); },
+                             update.sweep, row + 1, run.stack.up.after[k][row], run.stack.exact[row]),
+          .draw = [&run, k](Page& page) { draw_update(page, run, k); },
           .key = k == 1 || k == n || last};
 }
 
-List<Shot> stack_shots(const Run& run) {
+List<Shot> stack_shots(const SweepRun& run) {
   List<Shot> shots;
-  for (int k = 0; k < run->stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
-  shots.push_back(
-      {.state = fmt::format("A · {} sweeps", run->settings.sweeps),
-       .alt = "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
-              "lines of the same slope.",
-       .draw = [run](Page& page) { draw_errors(page, *run); },
-       .key = true});
+  for (int k = 0; k < run.stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
+  shots.push_back(key_shot(
+      run, fmt::format("A · {} sweeps", run.settings.sweeps),
+      "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
+      "lines of the same slope.",
+      draw_errors));
   return shots;
 }
 
@@ -213,7 +185,7 @@ std::string sources(const SystemMatrices<double>& system, int i) {
 
 void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& system, int active) {
   const auto n = static_cast<int>(system.b.size());
-  render::MatrixView view{.title = "A, and b (m/s²)", .column_group = n, .active_row = active};
+  MatrixView view{.title = "A, and b (m/s²)", .column_group = n, .active_row = active};
   view.values.resize(n, n + 1);
   view.values << system.A, system.b;
   for (int i = 1; i <= n; ++i) view.row_names.push_back(fmt::format("{}", i));
@@ -222,15 +194,7 @@ void draw_system(Page& page, const Rect& rect, const SystemMatrices<double>& sys
   draw_matrix(page, page.panel(rect, ""), view);
 }
 
-std::string brief(double value, int most) {
-  std::string text = fixed(value + 0.0, most);
-  while (text.ends_with('0')) text.pop_back();
-  if (text.ends_with('.')) text.pop_back();
-  return text == "−0" ? "0" : text;
-}
-
-render::Equation equation_28(const Page& page, const SystemMatrices<double>& system, const Swept& swept,
-                             int update) {
+Equation equation_28(const Page& page, const SystemMatrices<double>& system, const Swept& swept, int update) {
   const int i = swept.updates[update].row;
   std::string symbols = fmt::format("b_{{{}}}", i + 1);
   std::string numbers = brief(system.b(i));
@@ -240,7 +204,7 @@ render::Equation equation_28(const Page& page, const SystemMatrices<double>& sys
     const double other = update > 0 ? swept.after[update - 1][j] : 0;
     rest -= system.A(i, j) * other;
     symbols += fmt::format(" − A_{{{}{}}} λ_{{{}}}", i + 1, j + 1, j + 1);
-    numbers += fmt::format(" − {} × {}", with_brackets(brief(system.A(i, j))), brief(other));
+    numbers += fmt::format(" − {} × {}", in_brackets(brief(system.A(i, j))), brief(other));
   }
   const double value = rest / system.A(i, i);
   const double after = swept.after[update][i];
@@ -255,8 +219,7 @@ render::Equation equation_28(const Page& page, const SystemMatrices<double>& sys
           .color = cut ? page.theme().secondary_text : page.theme().normal};
 }
 
-List<Shot> sweep_shots(const SweepRun& recorded) {
-  const Run run = std::make_shared<const SweepRun>(recorded);
+List<Shot> sweep_shots(const SweepRun& run) {
   List<Shot> shots = {question_shot(run)};
   for (const List<Shot>& part : {stack_shots(run), rod_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());

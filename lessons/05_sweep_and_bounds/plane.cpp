@@ -1,42 +1,30 @@
 // The plane of two lambda: where they may be, where each row is satisfied, and the way of Gauss-Seidel.
-#include "plane.hpp"
+#include "lesson.hpp"
 
 #include <Eigen/Cholesky>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "parts.hpp"
-#include "render/camera.hpp"
-#include "render/plot.hpp"
 
 namespace cairn::sweeps {
 
 namespace {
 
-using render::Page;
-using render::Point;
-using render::Rect;
-
 using Pair = FixedList<double, 2>;
 
 /// Where a lambda would be negative: hatched as what nothing can enter.
-void draw_forbidden(Page& page, const render::Camera& camera) {
+void draw_forbidden(Page& page, const Camera& camera) {
   const Rect& view = camera.viewport;
   const Point origin = camera.project({0, 0});
   const auto block = [&page](const Rect& r) {
     if (!(r.width > 0) || !(r.height > 0)) return;
     const FixedList<Point, 4> corners = {Point(r.x, r.y), Point(r.x + r.width, r.y),
                                          Point(r.x + r.width, r.y + r.height), Point(r.x, r.y + r.height)};
-    page.canvas().polygon(corners, {.fill = render::faded(page.theme().static_body, 0.35)});
-    page.canvas().hatch(corners, {.width = 1, .color = render::faded(page.theme().static_hatch, 0.3)},
+    page.canvas().polygon(corners, {.fill = faded(page.theme().static_body, 0.35)});
+    page.canvas().hatch(corners, {.width = 1, .color = faded(page.theme().static_hatch, 0.3)},
                         2 * page.sizes().hatch_pitch);
   };
   const double bottom = view.y + view.height;
   block({view.x, view.y, origin.x() - view.x, view.height});
   block({origin.x(), origin.y(), view.x + view.width - origin.x(), bottom - origin.y()});
-  const render::Stroke axis{.width = page.sizes().axis, .color = page.theme().outline};
+  const Stroke axis{.width = page.sizes().axis, .color = page.theme().outline};
   page.canvas().line({view.x, origin.y()}, {view.x + view.width, origin.y()}, axis);
   page.canvas().line({origin.x(), view.y}, {origin.x(), bottom}, axis);
   page.avoid({{view.x, origin.y()}, {view.x + view.width, origin.y()}});
@@ -44,7 +32,7 @@ void draw_forbidden(Page& page, const render::Camera& camera) {
 }
 
 /// All lambda with the same 1/2 lambda^T A lambda - b^T lambda as `through`: an ellipse around the statics.
-void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, const Pair& through) {
+void draw_level(Page& page, const Camera& camera, const RodRun& rod, const Pair& through) {
   const Matrix<double>& A = rod.system.A;
   const Vec2<double> middle(rod.statics[0], rod.statics[1]);
   const Vec2<double> arm = Vec2<double>(through[0], through[1]) - middle;
@@ -61,28 +49,28 @@ void draw_level(Page& page, const render::Camera& camera, const RodRun& rod, con
   page.avoid(points);
 }
 
-render::TextStyle plane_text(const Page& page) {
-  render::TextStyle style = page.secondary();
+TextStyle plane_text(const Page& page) {
+  TextStyle style = page.secondary();
   style.halo = page.theme().panel;
   return style;
 }
 
 /// Where row `i` is satisfied, A_i1 lambda_1 + A_i2 lambda_2 = b_i: from there so many pixels along the line.
-Point on_row_line(const render::Camera& camera, const RodRun& rod, int i, double pixels) {
+Point on_row_line(const Camera& camera, const RodRun& rod, int i, double pixels) {
   const Matrix<double>& A = rod.system.A;
   const Vec2<double> along = Vec2<double>(-A(i, 1), A(i, 0)).normalized();
   return camera.project(Vec2<double>(rod.statics[0], rod.statics[1]) + pixels / camera.scale * along);
 }
 
-void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
+void draw_row_line(Page& page, const Camera& camera, const RodRun& rod, int i) {
   const Point from = on_row_line(camera, rod, i, -2000), to = on_row_line(camera, rod, i, 2000);
   page.canvas().line(from, to, {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 6}});
   page.avoid({from, to});
 }
 
 /// Beside its line, wherever there is room.
-void name_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
-  const render::TextStyle style = plane_text(page);
+void name_row_line(Page& page, const Camera& camera, const RodRun& rod, int i) {
+  const TextStyle style = plane_text(page);
   const std::string text = fmt::format("row {}", i + 1);
   const double width = page.canvas().text_width(text, style);
   List<Point> places;
@@ -96,10 +84,10 @@ void name_row_line(Page& page, const render::Camera& camera, const RodRun& rod, 
 }
 
 /// Values along both axes, on the side where nothing may be, from 0 on.
-void write_ticks(Page& page, const render::Camera& camera) {
+void write_ticks(Page& page, const Camera& camera) {
   const Rect room = inset(camera.viewport, 4);
   const Vec2<double> far = camera.unproject({room.x + room.width, room.y});
-  render::TextStyle style = plane_text(page);
+  TextStyle style = plane_text(page);
   style.color = page.theme().secondary_text;
   for (const bool upward : {false, true}) {
     const double end = upward ? far.y() : far.x();
@@ -108,15 +96,15 @@ void write_ticks(Page& page, const render::Camera& camera) {
       const Point at = camera.project(upward ? Vec2<double>(0, value) : Vec2<double>(value, 0));
       const Point side = upward ? Point(-6, 0) : Point(0, 6);
       page.canvas().line(at, at + side, {.width = page.sizes().axis, .color = page.theme().outline});
-      style.align = upward ? render::Align::right : render::Align::center;
+      style.align = upward ? Align::right : Align::center;
       const Point words = at + (upward ? Point(-10, style.size / 3) : Point(0, 8 + style.size));
       page.place_text({words}, room, brief(value), style);
     }
   }
 }
 
-void draw_way(Page& page, const render::Camera& camera, const List<Pair>& way,
-              const render::SeriesStyle& style, double width) {
+void draw_way(Page& page, const Camera& camera, const List<Pair>& way, const SeriesStyle& style,
+              double width) {
   List<Point> points;
   for (const Pair& stop : way) points.push_back(camera.project({stop[0], stop[1]}));
   page.canvas().polyline(points, {.width = width, .color = style.color});
@@ -127,12 +115,12 @@ void draw_way(Page& page, const render::Camera& camera, const List<Pair>& way,
 }
 
 /// "(−20, 60)" beside a ring.
-void draw_goal(Page& page, const render::Camera& camera, const Pair& at, bool lit) {
+void draw_goal(Page& page, const Camera& camera, const Pair& at, bool lit) {
   const Point point = camera.project({at[0], at[1]});
-  const render::Color color = lit ? page.theme().exact.color : page.theme().secondary_text;
+  const Color color = lit ? page.theme().exact.color : page.theme().secondary_text;
   page.canvas().circle(point, page.sizes().joint + 2,
                        {.outline = color, .outline_width = page.sizes().outline});
-  render::TextStyle style = plane_text(page);
+  TextStyle style = plane_text(page);
   style.color = page.theme().text;
   const std::string text = fmt::format("({}, {})", brief(at[0], 1), brief(at[1], 1));
   const double width = page.canvas().text_width(text, style);
@@ -145,19 +133,19 @@ void draw_goal(Page& page, const render::Camera& camera, const Pair& at, bool li
 }
 
 /// What the last row asked for, where that is not what it got.
-void draw_asked(Page& page, const render::Camera& camera, const PlaneView& view) {
+void draw_asked(Page& page, const Camera& camera, const PlaneView& view) {
   if (view.way.empty() || !(std::min(view.asked[0], view.asked[1]) < -1e-9)) return;
   const Point from = camera.project({view.way.back()[0], view.way.back()[1]});
   const Point to = camera.project({view.asked[0], view.asked[1]});
-  const render::Color color = page.theme().pgs.color;
+  const Color color = page.theme().pgs.color;
   page.canvas().line(from, to, {.width = 2, .color = color, .dash = {4, 4}});
   page.canvas().circle(to, page.sizes().marker,
                        {.fill = page.theme().panel, .outline = color, .outline_width = 2});
   page.avoid({from, to});
 }
 
-void name_pull(Page& page, const render::Camera& camera) {
-  const render::TextStyle style = plane_text(page);
+void name_pull(Page& page, const Camera& camera) {
+  const TextStyle style = plane_text(page);
   const Point origin = camera.project({0, 0});
   const std::string text = "λ_{1} < 0: a pull";
   const double width = page.canvas().text_width(text, style);
@@ -166,16 +154,16 @@ void name_pull(Page& page, const render::Camera& camera) {
 }
 
 /// All of the zig-zag without the clamp; closer where only the way with it is shown.
-render::Camera plane_camera(const Rect& rect, const RodRun& rod, bool close) {
+Camera plane_camera(const Rect& rect, const RodRun& rod, bool close) {
   if (close) {
     const double top = rod.formula[1];
-    return render::fit(rect, {{-0.3 * top, -0.12 * top}, {std::max(0.45 * top, 12.0), 1.2 * top}});
+    return fit(rect, {{-0.3 * top, -0.12 * top}, {std::max(0.45 * top, 12.0), 1.2 * top}});
   }
   const double left = std::min(0.0, rod.statics[0]);
   const double right = std::max(10.0, rod.statics[0]);
   const double top = std::max(rod.statics[1], rod.formula[1]);
   const double margin = 0.16 * std::max(right - left, top);
-  return render::fit(rect, {{left - margin, -0.8 * margin}, {right + margin, top + margin}});
+  return fit(rect, {{left - margin, -0.8 * margin}, {right + margin, top + margin}});
 }
 
 }  // namespace
@@ -184,7 +172,7 @@ void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneVi
   const RodRun& rod = run.rod;
   Rect inside = page.panel(rect, "λ_{1} to the right, λ_{2} up (N)");
   const bool close = rod.tips() && view.other.empty();
-  const render::Camera camera = plane_camera(inside, rod, close);
+  const Camera camera = plane_camera(inside, rod, close);
   page.canvas().push_clip(inside);
   draw_forbidden(page, camera);
   if (view.levels) {
@@ -194,7 +182,7 @@ void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneVi
   }
   draw_row_line(page, camera, rod, 0);
   draw_row_line(page, camera, rod, 1);
-  draw_way(page, camera, view.other, {page.theme().secondary_text, {}, render::Marker::diamond}, 1.5);
+  draw_way(page, camera, view.other, {page.theme().secondary_text, {}, Marker::diamond}, 1.5);
   draw_asked(page, camera, view);
   draw_way(page, camera, view.way, page.theme().pgs, page.sizes().curve);
   if (!close) draw_goal(page, camera, rod.statics, !rod.tips());

@@ -1,22 +1,9 @@
 // Lesson 05. The sweeps in lines and rows, and what has to be true of them.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::sweeps {
 
 namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-/// Without a minus in front of what rounding left of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
 
 std::string in_brackets(double value) {
   return value < 0 ? fmt::format("({:.4g})", value) : fmt::format("{:.4g}", cleaned(value));
@@ -74,9 +61,8 @@ double rounding_of(const RodRun& rod) {
 void append_rows(CsvTable& table, const char* name, const Swept& swept, double dt) {
   for (int k = 0; k < swept.updates.size(); ++k) {
     const RowUpdate<double>& update = swept.updates[k];
-    table.rows.push_back({name, static_cast<long long>(update.sweep), static_cast<long long>(update.row + 1),
-                          update.inverse_mass, update.row_velocity, update.corrective / dt,
-                          update.impulse_before / dt, update.impulse_after / dt});
+    table.rows.push_back({name, update.sweep, update.row + 1, update.inverse_mass, update.row_velocity,
+                          update.corrective / dt, update.impulse_before / dt, update.impulse_after / dt});
   }
 }
 

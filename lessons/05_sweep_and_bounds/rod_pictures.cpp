@@ -1,35 +1,20 @@
 // The rod on its supports, beside the plane of its two lambda.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "plane.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::sweeps {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 using Pair = FixedList<double, 2>;
 
 Pair pair_of(const PerRow<double>& lambda) { return {lambda[0], lambda[1]}; }
 
 /// "1 m" below a line between two places along the rod.
-void draw_distance(Page& page, const render::Camera& camera, double from, double to) {
+void draw_distance(Page& page, const Camera& camera, double from, double to) {
   const double y = -0.17;
   draw_length(page, camera.project({from, y}), camera.project({to, y}),
               {.width = 1.5, .color = page.theme().secondary_text});
-  render::TextStyle style = page.value();
-  style.align = render::Align::center;
+  TextStyle style = aligned(page.value(), Align::center);
   page.canvas().text(camera.project({(from + to) / 2, y}) + Point(0, 6 + style.size), brief(to - from) + " m",
                      style);
 }
@@ -44,10 +29,8 @@ struct RodScene {
 };
 
 /// The name of a force, beside its arrow or a line lower or higher; `align` says where `at` is in it.
-void name_force(Page& page, const Rect& within, const Point& at, render::Align align,
-                const std::string& name) {
-  render::TextStyle style = page.value();
-  style.align = align;
+void name_force(Page& page, const Rect& within, const Point& at, Align align, const std::string& name) {
+  TextStyle style = aligned(page.value(), align);
   style.halo = page.theme().background;
   style.color = page.theme().normal;
   style.bold = !page.compact();
@@ -57,13 +40,13 @@ void name_force(Page& page, const Rect& within, const Point& at, render::Align a
   page.place_text(places, within, name, style);
 }
 
-void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, const RodScene& shown) {
+void draw_forces(Page& page, const Camera& camera, const SweepRun& run, const RodScene& shown) {
   const double weight = rod_mass * gravity;
   const double largest = std::max({std::abs(run.rod.statics[0]), run.rod.statics[1], weight});
   const double metres = 1.5 / largest;  // [m/N]
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = metres * camera.scale, .longest = 1.6 * camera.scale, .unit = "N"};
-  const auto arrow = [&](render::ArrowKind kind, double x, double force, const std::string& label) {
+  const auto arrow = [&](ArrowKind kind, double x, double force, const std::string& label) {
     const double tail = force < 0 ? 0.12 - metres * force : 0.12;  // both ways upon the rod
     draw_arrow(page, camera, scale, {.kind = kind, .tail = {x, tail}, .value = {0, force}, .label = label});
   };
@@ -72,28 +55,27 @@ void draw_forces(Page& page, const render::Camera& camera, const SweepRun& run, 
   page.avoid({camera.project({middle, 0.12}), camera.project({middle, 0.12 + metres * weight})});
   const double support = run.settings.support;
   if (shown.instead_of > 0) {
-    arrow(render::ArrowKind::inactive, support, shown.instead_of,
+    arrow(ArrowKind::inactive, support, shown.instead_of,
           fmt::format("not {} N", brief(shown.instead_of, 2)));
   }
   const double height = metres * shown.lambda[1];  // [m]
-  arrow(render::ArrowKind::normal, support, shown.lambda[1], "");
+  arrow(ArrowKind::normal, support, shown.lambda[1], "");
   const bool stays = shown.lambda[0] != 0 || shown.motion.empty();  // else the rod leaves this support
   if (stays) {
-    arrow(render::ArrowKind::normal, 0.02, shown.lambda[0], "");
+    arrow(ArrowKind::normal, 0.02, shown.lambda[0], "");
     const Point at = camera.project({0.02, 0.12 + metres * std::abs(shown.lambda[0]) / 2}) + Point(-14, 6);
-    name_force(page, camera.viewport, at, render::Align::right,
+    name_force(page, camera.viewport, at, Align::right,
                fmt::format("λ_{{1}} = {} N", brief(shown.lambda[0], 2)));
     if (shown.lambda[0] < 0 || shown.clamped)
-      name_force(page, camera.viewport, at + Point(0, 23), render::Align::right,
+      name_force(page, camera.viewport, at + Point(0, 23), Align::right,
                  shown.clamped ? "clamped" : "a pull");
   }
   // Beside a long arrow, above a short one; on the side where the weight is not.
   const bool is_long = height > 0.5, is_left = support < middle;
   const Point aside = is_long ? Point(is_left ? -14 : 14, 6) : Point(is_left ? 12 : -12, -8);
   name_force(page, camera.viewport, camera.project({support, 0.12 + (is_long ? height / 2 : height)}) + aside,
-             is_left ? render::Align::right : render::Align::left,
-             fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2)));
-  arrow(render::ArrowKind::external, middle, -weight, fmt::format("m g = {} N", brief(weight)));
+             is_left ? Align::right : Align::left, fmt::format("λ_{{2}} = {} N", brief(shown.lambda[1], 2)));
+  arrow(ArrowKind::external, middle, -weight, fmt::format("m g = {} N", brief(weight)));
 }
 
 /// The rod, what its supports give, its weight, and how far from each other they act.
@@ -102,23 +84,19 @@ void draw_rod(Page& page, const Rect& rect, const SweepRun& run, const RodScene&
   if (shown.motion.size() > 1)
     title += fmt::format("; an outline every {} s", brief(shown.motion[1].time - shown.motion[0].time));
   const Rect inside = page.panel(rect, title);
-  render::Camera camera = render::fit(inside, {{-0.8, -0.75}, {rod_length + 0.2, 1.75}});
+  Camera camera = fit(inside, {{-0.8, -0.75}, {rod_length + 0.2, 1.75}});
   camera.center.y() = std::min(0.5, 0.5 * inside.height / camera.scale - 0.75);  // little of the ground
   page.canvas().push_clip(inside);
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
   if (!shown.motion.empty()) draw_ghosts(page, camera, shown.motion);
-  draw_world(page, camera, run.rod.snapshot, look);
+  draw_world(page, camera, run.rod.snapshot, {.numbers = false, .contacts = false, .penetration = false});
   const double middle = rod_length / 2, support = run.settings.support;
   draw_forces(page, camera, run, shown);
   if (shown.asks) {
     draw_distance(page, camera, 0, std::min(support, middle));
     if (std::abs(middle - support) > 0.2)
       draw_distance(page, camera, std::min(support, middle), std::max(support, middle));
-    render::TextStyle style{.size = 24, .color = page.theme().normal, .bold = true};
-    style.align = render::Align::center;
+    TextStyle style{.size = 24, .color = page.theme().normal, .bold = true};
+    style.align = Align::center;
     page.canvas().text(camera.project({std::min(support, 1.8), 1.75}), "if no support pulls: λ_{2} = ?",
                        style);
   }
@@ -136,11 +114,10 @@ bool is_cut(const RowUpdate<double>& update) { return update.impulse_before + up
 
 /// Rod at the top left, plane right; returns what is free below the rod.
 Rect draw_rod_moment(Page& page, const SweepRun& run, const RodScene& shown, const PlaneView& view) {
-  const List<Rect> halves = columns(page.area(), {0.57, 0.43}, page.sizes().gap);
-  draw_plane(page, halves[1], run, view);
-  const List<Rect> left = rows(halves[0], {0.54, 0.46}, page.sizes().gap);
-  draw_rod(page, left[0], run, shown);
-  return left[1];
+  const List<Rect> parts = in_columns(page, {{0.57, {0.54, 0.46}}, 0.43});
+  draw_plane(page, parts[2], run, view);
+  draw_rod(page, parts[0], run, shown);
+  return parts[1];
 }
 
 /// So many updates of the solve without the clamp as can be told apart.
@@ -150,7 +127,7 @@ void draw_unbounded(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
   const PlaneView view{.other = way_of(rod.unbounded, visible_updates(rod))};
   const Rect rest = draw_rod_moment(page, run, {.lambda = rod.statics}, view);
-  const List<Rect> parts = columns(rest, {0.42, 0.58}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, rest, {0.42, 0.58});
   draw_system(page, parts[0], rod.system, -1);
   page.equation(parts[1],
                 {.number = "eq (14), no bounds",
@@ -164,7 +141,7 @@ void strike_result(Page& page, const std::string& result, double clamped) {
   for (const render::TextBox& box : page.canvas().text_boxes()) {
     if (box.text != result) continue;
     const Rect at = box.rect;
-    render::TextStyle style = box.style;
+    TextStyle style = box.style;
     const double y = at.y + at.height / 2;
     page.canvas().line({at.x + page.canvas().text_width("= ", style) - 4, y}, {at.x + at.width + 4, y},
                        {.width = 3, .color = page.theme().text});
@@ -184,7 +161,7 @@ void draw_rod_update(Page& page, const SweepRun& run, int k) {
   const bool cut = is_cut(update);
   const Rect rest =
       draw_rod_moment(page, run, {.lambda = pair_of(rod.bounded.after[k]), .clamped = cut}, view);
-  const render::Equation equation = equation_28(page, rod.system, rod.bounded, k);
+  const Equation equation = equation_28(page, rod.system, rod.bounded, k);
   page.equation(rest, equation);
   if (cut) strike_result(page, equation.result, rod.bounded.after[k][update.row]);
 }
@@ -194,14 +171,14 @@ void draw_complement(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
   const PlaneView view{.way = way_of(rod.bounded, rod.bounded.after.size()), .levels = true};
   const Rect rest = draw_rod_moment(page, run, {.lambda = pair_of(rod.settled.after.back())}, view);
-  render::TableView table;
+  TableView table;
   table.header = {"row", "λ (N)", "w = A λ − b (m/s²)", "λ w"};
   for (int i = 0; i < 2; ++i) {
     const double lambda = rod.settled.after.back()[i];
     table.rows.push_back({fmt::format("{}", i + 1), brief(lambda), brief(rod.leaving[i]), "0"});
   }
   table.active_row = rod.tips() ? 0 : -1;
-  const List<Rect> parts = rows(rest, {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rest, {0.56, 0.44});
   page.table(parts[0], "A contact pushes, or it opens; never both", table);
   page.note(parts[1], "",
             "The ellipses are level curves of ½ λ·A λ − b·λ. The answer is the lowest point of that function "
@@ -217,39 +194,36 @@ std::string answer_text(const RodRun& rod) {
       brief(rod.formula[1], 2), brief(rod.statics[1], 2));
 }
 
-Shot rod_update_shot(const Run& run, int k, int first_cut) {
-  const Swept& swept = run->rod.bounded;
+Shot rod_update_shot(const SweepRun& run, int k, int first_cut) {
+  const Swept& swept = run.rod.bounded;
   const RowUpdate<double>& update = swept.updates[k];
-  return {.state = fmt::format("B · sweep {}/{} · row {} of 2", update.sweep, run->settings.sweeps,
-                               update.row + 1),
+  return {.state =
+              fmt::format("B · sweep {}/{} · row {} of 2", update.sweep, run.settings.sweeps, update.row + 1),
           .alt = fmt::format("Sweep {}, row {} of the rod: λ is ({:.4g}, {:.4g}) N{}; one more step of the "
                              "zig-zag in the plane.",
                              update.sweep, update.row + 1, swept.after[k][0], swept.after[k][1],
                              is_cut(update) ? ", the row having been clamped" : ""),
-          .draw = [run, k](Page& page) { draw_rod_update(page, *run, k); },
+          .draw = [&run, k](Page& page) { draw_rod_update(page, run, k); },
           .key = k == 1 || k == first_cut || k == first_cut + 1};
 }
 
 }  // namespace
 
-List<Shot> rod_shots(const Run& run) {
-  const Swept& swept = run->rod.bounded;
+List<Shot> rod_shots(const SweepRun& run) {
+  const Swept& swept = run.rod.bounded;
   int first_cut = 4;  // of a rod that does not tip: any two frames
   for (int k = swept.updates.size() - 1; k >= 0; --k) {
     if (is_cut(swept.updates[k])) first_cut = k;
   }
   List<Shot> shots;
-  shots.push_back({.state = "B · without clamp",
-                   .alt =
-                       "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
-                       "the hatched part of the plane where λ is negative.",
-                   .draw = [run](Page& page) { draw_unbounded(page, *run); },
-                   .key = true});
+  shots.push_back(
+      key_shot(run, "B · without clamp",
+               "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
+               "the hatched part of the plane where λ is negative.",
+               draw_unbounded));
   for (int k = 0; k < swept.updates.size(); ++k) shots.push_back(rod_update_shot(run, k, first_cut));
-  shots.push_back({.state = "B · solved",
-                   .alt = "λ and w of both supports: one is zero where the other is not.",
-                   .draw = [run](Page& page) { draw_complement(page, *run); },
-                   .key = true});
+  shots.push_back(key_shot(run, "B · solved", "λ and w of both supports: one is zero where the other is not.",
+                           draw_complement));
   return shots;
 }
 
@@ -265,30 +239,30 @@ LessonInfo card_for(const SweepRun& run) {
   return info;
 }
 
-Shot question_shot(const Run& run) {
-  return cairn::question_shot(card_for(*run),
+Shot question_shot(const SweepRun& run) {
+  return cairn::question_shot(card_for(run),
                               {.state = "before the first sweep",
                                .alt = "A rod on two supports, both left of its middle, the forces that "
                                       "hold it, one of them a pull, and the question.",
-                               .scene = [run](Page& page, const Rect& rect) {
-                                 draw_rod(page, rect, *run, {.lambda = run->rod.statics, .asks = true});
+                               .scene = [&run](Page& page, const Rect& rect) {
+                                 draw_rod(page, rect, run, {.lambda = run.rod.statics, .asks = true});
                                }});
 }
 
-Shot answer_shot(const Run& run) {
-  const bool tips = run->rod.tips();
-  const auto scene = [run, tips](Page& page, const Rect& rect) {
-    RodScene shown{.lambda = run->rod.formula};
-    if (tips) shown.instead_of = run->rod.statics[1], shown.motion = run->rod.motion;
-    draw_rod(page, rect, *run, shown);
+Shot answer_shot(const SweepRun& run) {
+  const bool tips = run.rod.tips();
+  const auto scene = [&run, tips](Page& page, const Rect& rect) {
+    RodScene shown{.lambda = run.rod.formula};
+    if (tips) shown.instead_of = run.rod.statics[1], shown.motion = run.rod.motion;
+    draw_rod(page, rect, run, shown);
   };
   return cairn::answer_shot(
-      card_for(*run),
+      card_for(run),
       {.state = "answer",
        .alt = "The rod with the push of the right support alone, half as long as the arrow of A λ = b "
               "behind it; the rod tips; and the answer.",
        .scene = scene},
-      answer_text(run->rod));
+      answer_text(run.rod));
 }
 
 }  // namespace cairn::sweeps

@@ -1,8 +1,5 @@
 // What is done with the two systems, and other accounts of both.
-#include "sweep.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
 namespace cairn::sweeps {
 
@@ -19,24 +16,13 @@ double largest_error(const PerRow<double>& lambda, const PerRow<double>& exact) 
   return largest / exact[0];
 }
 
-Snapshot stack_at_rest(const SweepSettings& settings) {
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < settings.boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
-  Snapshot result = snapshot(World(scene));
-  for (int i = 0; i < settings.boxes; ++i)
-    result.contacts.push_back({.a = {i}, .b = {i + 1}, .position = {0, double(i)}, .normal = {0, 1}});
-  return result;
-}
-
 StackRun run_stack(const SweepSettings& settings) {
   const VelocityProblem<double> problem = stack_problem(settings);
   StackRun run{.system = system_matrices(problem),
                .up = swept(problem, settings.sweeps),
                .down = swept(problem, settings.sweeps, RowOrder::reverse),
                .unbounded = swept(without_bounds(problem), settings.sweeps),
-               .snapshot = stack_at_rest(settings)};
+               .snapshot = stack_at_rest(settings.boxes)};
   for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * gravity);
   for (const PerRow<double>& lambda : run.up.by_sweep) run.error.push_back(largest_error(lambda, run.exact));
   return run;

@@ -1,7 +1,7 @@
 // Exercise 06. Write the inner loop of Algorithm 1 for one contact. Then: bash lessons/run check 6
 #include <algorithm>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise06 {
 

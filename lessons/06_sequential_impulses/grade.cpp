@@ -1,7 +1,4 @@
 // Exercise 06, graded: three boxes that fall onto each other, and a contact that takes back what it gave.
-#include <cmath>
-#include <limits>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise06 {

@@ -3,13 +3,7 @@
 // built. We go from contact to contact, ask how fast its own two boxes close in, push just hard enough to
 // stop that, and let both boxes have the new velocities at once. Then we go round again. Everything that
 // happens is kept, row by row, for the pictures and the table.
-#include "lessons/lesson.hpp"
-
-#include <algorithm>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "stack.hpp"
+#include "lesson.hpp"
 
 namespace {
 

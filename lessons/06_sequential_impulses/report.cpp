@@ -1,12 +1,5 @@
 // Prints the row updates and the sweeps, and checks them against two other accounts of the same stack.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stack {
 
@@ -84,11 +77,7 @@ void tell_updates(Lesson& lesson, const StackRun& run) {
     for (int k = 1; k <= std::min(run.settings.boxes, 5); ++k) {
       line += fmt::format("{:>11.4f}", run.updates[i].velocity[{k}].y());
     }
-    if (i < shown && i < 10) {
-      lesson.print(line);
-    } else {
-      lesson.detail(line);
-    }
+    i < shown&& i < 10 ? lesson.print(line) : lesson.detail(line);
   }
   if (run.updates.size() > shown || shown > 10) {
     lesson.print(fmt::format("  ...  (-v shows all {} rows)", run.updates.size()));
@@ -155,7 +144,7 @@ CsvTable table_of(const StackRun& run) {
   for (const RowRecord& record : run.updates) {
     const RowUpdate<double>& update = record.update;
     const long long interface = run.interface_of_row[update.row];
-    List<CsvCell> cells = {static_cast<long long>(update.sweep),
+    List<CsvCell> cells = {update.sweep,
                            interface + 1,
                            interface,
                            interface + 1,

@@ -1,11 +1,10 @@
 // The stack as a problem by hand, and two independent accounts of its solve.
-#include "stack.hpp"
+#include "lesson.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
-#include "lessons/random.hpp"
+#include "lessons/kit/random.hpp"
+#include "validation/column.hpp"
 
 namespace cairn::stack {
 
@@ -24,39 +23,14 @@ PerRow<int> visiting_order(const StackSettings& settings) {
   return order;
 }
 
-Snapshot stack_at_rest(const StackSettings& settings) {
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < settings.boxes; ++i)
-    scene.add({.shapes = {box(1, 1)},
-               .position = {0, 0.5 + i},
-               .mass = i + 1 == settings.boxes ? settings.top : 1});
-  return snapshot(World(scene));
-}
-
-/// Boxes of 1 kg that gravity has just made fall, one normal row per interface with j = (0, -1, 0 | 0, 1, 0),
-/// and nothing else. Row k is the k-th in visiting order.
+/// Boxes that gravity has just made fall, one normal row per interface with j = (0, -1, 0 | 0, 1, 0), and
+/// nothing else. Row k is the k-th in visiting order.
 VelocityProblem<double> stack_problem(const StackSettings& settings, const PerRow<int>& interface_of_row) {
-  const int n = settings.boxes;
-  VelocityProblem<double> problem;
-  problem.dt = settings.dt;
-  problem.inverse_mass.assign(n + 1, {1, 1, 6});  // of a unit box of 1 kg
-  problem.inverse_mass[{n}] /= settings.top;
-  problem.inverse_mass[ground] = {0, 0, 0};  // the ground
-  problem.velocity.assign(n + 1, {0, -settings.gravity * settings.dt, 0});
-  problem.velocity[ground] = {0, 0, 0};
-  problem.impulse.assign(n, 0.0);
-  for (const int interface : interface_of_row) {
-    ConstraintRow<double> row;
-    row.a = {interface};
-    row.b = {interface + 1};
-    row.jacobian_a = {0, -1, 0};
-    row.jacobian_b = {0, 1, 0};
-    row.bounds = Bounds<double>::unilateral();
-    row.key = {.source = static_cast<std::uint64_t>(interface)};
-    problem.blocks.push_back({problem.row_count(), 1});
-    problem.rows.push_back(row);
-  }
+  List<double> masses(settings.boxes, 1.0);
+  masses.back() = settings.top;
+  const VelocityProblem<double> upwards = cases::column<double>(masses, settings.gravity, settings.dt);
+  VelocityProblem<double> problem = upwards;
+  for (int k = 0; k < interface_of_row.size(); ++k) problem.rows[k] = upwards.rows[interface_of_row[k]];
   return problem;
 }
 
@@ -67,7 +41,7 @@ StackRun falling_stack(const StackSettings& settings) {
   run.problem = stack_problem(settings, run.interface_of_row);
   for (int i = 0; i < settings.boxes; ++i)
     run.exact.push_back((settings.boxes - 1 - i + settings.top) * settings.gravity);
-  run.snapshot = stack_at_rest(settings);
+  run.snapshot = stack_at_rest(settings.boxes);
   return run;
 }
 

@@ -1,7 +1,7 @@
 // Exercise 07. Move the clamp. Then: bash lessons/run check 7
 #include <algorithm>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise07 {
 

@@ -1,8 +1,5 @@
 // The landing as two rows by hand, its formulas, and the box let go in a world.
-#include "feet.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
 namespace cairn::feet {
 

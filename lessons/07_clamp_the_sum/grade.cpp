@@ -1,6 +1,4 @@
 // Exercise 07, graded: a box of 2 kg on two feet, feet that break, and a box of 0.5 kg that is pulled up.
-#include <cmath>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise07 {

@@ -3,14 +3,9 @@
 // left one rise: it has given too much. A contact must not pull, so something has to be clamped at 0; the
 // question is what. We land the box three times: each push clamped, the sum of a foot's pushes clamped
 // (Algorithm 1), and the sums clamped once, when all sweeps are over. Only one of the three lets it stand.
-#include "lessons/lesson.hpp"
+#include "lesson.hpp"
 
-#include <algorithm>
-
-#include "feet.hpp"
-#include "lessons/words.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lessons/kit/words.hpp"
 
 namespace {
 

@@ -1,22 +1,9 @@
 // What becomes of the box, how it depends on its feet, and the third place for the clamp.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::feet {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::Sign;
 
 constexpr int outline_steps = 8;  // between the outlines of earlier poses
 
@@ -26,36 +13,28 @@ double height_at(const List<Snapshot>& motion, int step) {
 
 void draw_motion(Page& page, const Rect& rect, const List<Snapshot>& motion, int step, Clamped clamped) {
   const Rect inside = clamp_panel(page, rect, clamped);
-  const render::Camera camera = render::fit(inside, {{-1.3, -0.1}, {1.3, 1.5}});
+  const Camera camera = fit(inside, {{-1.3, -0.1}, {1.3, 1.5}});
   page.canvas().push_clip(inside);
   List<Snapshot> earlier;
   for (int k = 0; k < step; k += outline_steps) earlier.push_back(motion[k]);
   draw_ghosts(page, camera, earlier);
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
-  draw_world(page, camera, motion[step], look);
+  draw_world(page, camera, motion[step], {.numbers = false, .contacts = false, .penetration = false});
   page.canvas().pop_clip();
 }
 
-render::Series heights(const Page& page, const List<Snapshot>& motion, Clamped clamped) {
-  render::Series series{.name = clamped == Clamped::sum ? "the sum" : "each push",
-                        .style = style_of(page.theme(), clamped)};
-  for (int k = 0; k < motion.size(); ++k) {
-    series.x.push_back(k * time_step);
-    series.y.push_back(height_at(motion, k));
-  }
+Series heights(const Page& page, const List<Snapshot>& motion, Clamped clamped) {
+  Series series{.name = clamped == Clamped::sum ? "the sum" : "each push",
+                .style = style_of(page.theme(), clamped)};
+  for (int k = 0; k < motion.size(); ++k) series.add(k * time_step, height_at(motion, k));
   return series;
 }
 
 void draw_step(Page& page, const FeetRun& run, int step) {
-  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_motion(page, top[0], run.hop, step, Clamped::increment);
-  draw_motion(page, top[1], run.still, step, Clamped::sum);
-  render::Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
-                                         fixed(1000 * run.hop_height, 0))};
+  const List<Rect> parts = in_rows(page, {{0.56, {0.5, 0.5}}, 0.44});
+  draw_motion(page, parts[0], run.hop, step, Clamped::increment);
+  draw_motion(page, parts[1], run.still, step, Clamped::sum);
+  Plot plot{.title = fmt::format("how far the middle of the box has risen (mm): {} at most",
+                                 fixed(1000 * run.hop_height, 0))};
   plot.x = {.title = "t (s)", .min = 0, .max = motion_steps * time_step};
   plot.series = {heights(page, run.hop, Clamped::increment), heights(page, run.still, Clamped::sum)};
   const List<double>& hop = plot.series[0].y;
@@ -64,29 +43,25 @@ void draw_step(Page& page, const FeetRun& run, int step) {
   const int settled = 3 * motion_steps / 4;
   if (std::abs(run.hop[settled].bodies[{1}].pose.angle) > 1)
     plot.labels = {{settled * time_step, hop[settled], "the box lies on its side"}};
-  draw_plot(page, parts[1], plot);
+  draw_plot(page, parts[2], plot);
 }
 
 void draw_spread(Page& page, const FeetRun& run) {
-  const List<Rect> parts = columns(page.area(), {0.64, 0.36}, page.sizes().gap);
-  render::Series foot{.style = style_of(page.theme(), Clamped::increment)};
-  render::Series box = foot;
-  box.style.marker = render::Marker::circle;
+  const List<Rect> parts = in_columns(page, {0.64, {0.36, {0.55, 0.45}}});
+  Series foot{.style = style_of(page.theme(), Clamped::increment)};
+  Series box = foot;
+  box.style.marker = Marker::circle;
   box.style.dash = page.theme().jacobi.dash;
-  render::Series sum{.style = page.theme().exact, .markers = false};
+  Series sum{.style = page.theme().exact, .markers = false};
   for (const Spread& spread : run.spreads) {
-    sum.x.push_back(spread.foot);
-    sum.y.push_back(0);
+    sum.add(spread.foot, 0);
     if (spread.foot > harmless_distance()) continue;
-    for (render::Series* series : {&foot, &box}) series->x.push_back(spread.foot);
-    foot.y.push_back(spread.formula_speed - spread.foot * spread.formula_spin);
-    box.y.push_back(spread.formula_speed);
+    foot.add(spread.foot, spread.formula_speed - spread.foot * spread.formula_spin);
+    box.add(spread.foot, spread.formula_speed);
   }
-  for (render::Series* series : {&foot, &box}) {
-    series->x.push_back(harmless_distance());  // where q and with it both speeds are 0
-    series->y.push_back(0);
-  }
-  render::Plot plot{.title = "each push clamped: speed afterwards (m/s)"};
+  // Where q and with it both speeds are 0.
+  for (Series* series : {&foot, &box}) series->add(harmless_distance(), 0);
+  Plot plot{.title = "each push clamped: speed afterwards (m/s)"};
   plot.x = {.title = "r: from the middle to each foot (m)", .min = 0, .max = 0.5};
   plot.y = {.title = "", .min = 0};
   plot.series = {foot, box, sum};
@@ -96,23 +71,22 @@ void draw_spread(Page& page, const FeetRun& run) {
                  {sum.x[peak], 0, "the sum clamped: nothing rises"}};
   plot.cursor = harmless_distance();
   draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.55, 0.45}, page.sizes().gap);
-  page.note(right[0], "Where the mistake does not show",
+  page.note(parts[1], "Where the mistake does not show",
             "Right of the vertical line A_{12} ≤ 0: a push at one foot makes the other one sink. "
             "No foot has to take anything back, and both clamps do the same.");
-  page.equation(right[1], {.number = "A_{12} = 1/m − r²/I = 0",
+  page.equation(parts[2], {.number = "A_{12} = 1/m − r²/I = 0",
                            .symbols = "r = √(I/m)",
                            .numbers = fmt::format("= √({:g}/{:g})", box_inertia, box_mass),
                            .result = fmt::format("= {} m", fixed(harmless_distance(), 3))});
 }
 
 void draw_side(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.62, {0.38, {0.55, 0.45}}});
+  const List<Rect> top = in_columns(page, parts[0], {1, 1});
   double largest = 0;
   for (const Landing& landing : run.side.landings) largest = std::max(largest, landing.impulse[0]);
   int at = 0;
-  render::TableView table;
+  TableView table;
   table.header = {"clamped", "p_{1} (N s)", "p_{2} (N s)", "foot 1 (m/s)", "energy (J)"};
   for (const Landing& landing : run.side.landings) {
     if (landing.clamped != Clamped::increment) {
@@ -136,48 +110,45 @@ void draw_side(Page& page, const FeetRun& run) {
                           fixed(rise, 2, Sign::always), fixed(landing.energy(), 1)});
   }
   table.active_row = 2;
-  const List<Rect> below = columns(parts[1], {0.55, 0.45}, page.sizes().gap);
-  page.table(below[0], "", table);
-  page.note(below[1], "Clamped too late",
+  page.table(parts[1], "", table);
+  page.note(parts[2], "Clamped too late",
             "Without a clamp, foot 2 pulls, and foot 1 pushes against that. When the pull "
             "is cut off at the end, foot 1 still pushes: the box is thrown up.");
 }
 
-Shot motion_shot(const Run& run, int step) {
+Shot motion_shot(const FeetRun& run, int step) {
   return {.state = fmt::format("t = {} s · outlines every {} s", fixed(step * time_step, 2),
                                fixed(outline_steps * time_step, 2)),
           .alt = fmt::format(
               "{:.2f} s after the landing: with each push clamped the middle of the box is {:.1f} mm "
               "{} and it has turned by {:.0f} degrees, with the sum clamped it has risen by {:.1f} mm.",
-              step * time_step, std::abs(height_at(run->hop, step)),
-              height_at(run->hop, step) < 0 ? "lower" : "higher",
-              std::abs(run->hop[step].bodies[{1}].pose.angle) * 180 / pi, height_at(run->still, step)),
-          .draw = [run, step](Page& page) { draw_step(page, *run, step); },
+              step * time_step, std::abs(height_at(run.hop, step)),
+              height_at(run.hop, step) < 0 ? "lower" : "higher",
+              std::abs(run.hop[step].bodies[{1}].pose.angle) * 180 / pi, height_at(run.still, step)),
+          .draw = [&run, step](Page& page) { draw_step(page, run, step); },
           .key = step == 8 || step == motion_steps};
 }
 
 }  // namespace
 
-List<Shot> motion_shots(const Run& run) {
+List<Shot> motion_shots(const FeetRun& run) {
   List<Shot> shots;
-  for (int step = 1; step < run->hop.size(); ++step) shots.push_back(motion_shot(run, step));
+  for (int step = 1; step < run.hop.size(); ++step) shots.push_back(motion_shot(run, step));
   return shots;
 }
 
-Shot spread_shot(const Run& run) {
-  return {.state = "feet at any distance",
-          .alt =
-              "How fast the box and its left foot rise after a landing with each push clamped, against the "
-              "distance of the feet: nothing from 0.408 m on.",
-          .draw = [run](Page& page) { draw_spread(page, *run); },
-          .key = true};
+Shot spread_shot(const FeetRun& run) {
+  return key_shot(
+      run, "feet at any distance",
+      "How fast the box and its left foot rise after a landing with each push clamped, against the "
+      "distance of the feet: nothing from 0.408 m on.",
+      draw_spread);
 }
 
-Shot side_shot(const Run& run) {
-  return {.state = "B · both feet at one side",
-          .alt = "A box with both feet right of its middle, twice: clamped once at the end it is thrown up.",
-          .draw = [run](Page& page) { draw_side(page, *run); },
-          .key = true};
+Shot side_shot(const FeetRun& run) {
+  return key_shot(run, "B · both feet at one side",
+                  "A box with both feet right of its middle, twice: clamped once at the end it is thrown up.",
+                  draw_side);
 }
 
 }  // namespace cairn::feet

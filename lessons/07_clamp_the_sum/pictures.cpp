@@ -1,45 +1,26 @@
 // The box on its feet, visit by visit, with the clamp on each push and on the sum side by side.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "render/bars.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::feet {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-using render::Sign;
-
 /// How fast a foot moves: an arrow at its outer edge, and its value beside the box. A foot near the side of
 /// the box has its arrow at its inner edge.
-void draw_foot_velocity(Page& page, const render::Camera& camera, const BoxRun& box, const BoxView& view,
-                        int i) {
+void draw_foot_velocity(Page& page, const Camera& camera, const BoxRun& box, const BoxView& view, int i) {
   const double outwards = i == 0 ? -1 : 1;
   const double edge = std::abs(box.foot[i]) > 0.3 ? -0.09 * outwards : 0.09 * outwards;
   const double velocity = cleaned(view.foot_velocity[i]);
   const double metres = 1.1 / view.fastest;  // [s]
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = metres * camera.scale, .longest = 1.1 * camera.scale, .unit = "m/s"};
   if (std::abs(velocity) * scale.pixels_per_unit >= 2) {
     draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::velocity,
+               {.kind = ArrowKind::velocity,
                 .tail = {box.foot[i] + edge, std::max(0.0, -velocity * metres)},
                 .value = {0, velocity}});
   }
-  render::TextStyle style = page.value();
-  style.align = i == 0 ? render::Align::right : render::Align::left;
+  TextStyle style = aligned(page.value(), i == 0 ? Align::right : Align::left);
   const Point at = camera.project({0.56 * outwards, 0.12}) + Point(10 * outwards, 0);
   page.canvas().text(at, fixed(velocity, 2, Sign::always) + " m/s", style);
   style.color = page.theme().secondary_text;
@@ -48,9 +29,8 @@ void draw_foot_velocity(Page& page, const render::Camera& camera, const BoxRun& 
 }
 
 /// The sum of a foot at the tip of its arrow, where there is room.
-void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip, const std::string& text,
-               bool lit) {
-  render::TextStyle style = page.value();
+void label_sum(Page& page, const Camera& camera, const Vec2<double>& tip, const std::string& text, bool lit) {
+  TextStyle style = page.value();
   style.bold = lit;
   style.halo = page.theme().body;
   const Point at = camera.project(tip);
@@ -68,9 +48,9 @@ void label_sum(Page& page, const render::Camera& camera, const Vec2<double>& tip
 void draw_sums(Page& page, const Rect& rect, const FeetRun& run, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
   const double exact = run.middle.exact[0];  // the same for both feet
-  render::BarChart chart{.title = fmt::format("sum of the pushes p (N s); black line: exact, {:.4g}", exact),
-                         .largest = std::max(1.6 * exact, 1.1 * visit.after[0]),
-                         .color = style_of(page.theme(), landing.clamped).color};
+  BarChart chart{.title = fmt::format("sum of the pushes p (N s); black line: exact, {:.4g}", exact),
+                 .largest = std::max(1.6 * exact, 1.1 * visit.after[0]),
+                 .color = style_of(page.theme(), landing.clamped).color};
   for (int i = 0; i < 2; ++i) {
     chart.bars.push_back({.name = fmt::format("foot {} {:>6.2f}", i + 1, cleaned(visit.after[i])),
                           .before = visit.before[i],
@@ -82,14 +62,14 @@ void draw_sums(Page& page, const Rect& rect, const FeetRun& run, const Landing& 
                      {.width = 3, .color = page.theme().exact.color});
 }
 
-render::Equation equation_of(const Page& page, const Landing& landing, int k) {
+Equation equation_of(const Page& page, const Landing& landing, int k) {
   const Visit& visit = landing.visits[k];
   const int foot = visit.foot;
   const std::string before = fixed(visit.before[foot], 2);
   const std::string asked = fixed(std::abs(cleaned(visit.asked)), 2);
   const char* sign = cleaned(visit.asked) < 0 ? "−" : "+";
   const std::string p = fmt::format("p_{{{}}}", foot + 1);
-  render::Equation equation;
+  Equation equation;
   equation.number = fmt::format("(22): p_{{corr}} = {} N s", fixed(cleaned(visit.asked), 2, Sign::always));
   if (landing.clamped == Clamped::increment) {
     equation.symbols = fmt::format("{} ← {} + max(0, p_{{corr}})", p, p);
@@ -117,11 +97,11 @@ BoxView view_after(const BoxRun& box, double speed, const Landing& landing, int 
 }
 
 void draw_visit(Page& page, const FeetRun& run, int k) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> halves = in_columns(page, {0.5, 0.5});
   int at = 0;
   for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
     const Landing& landing = run.middle.by(clamped);
-    const List<Rect> parts = rows(halves[at++], {0.44, 0.24, 0.32}, page.sizes().gap);
+    const List<Rect> parts = in_rows(page, halves[at++], {0.44, 0.24, 0.32});
     draw_box(page, clamp_panel(page, parts[0], clamped), run.middle, largest_of(run),
              view_after(run.middle, run.settings.speed, landing, k));
     draw_sums(page, parts[1], run, landing, k);
@@ -129,30 +109,30 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
   }
 }
 
-QuestionFrame question_frame(const Run& run) {
+QuestionFrame question_frame(const FeetRun& run) {
   return {.state = "after one sweep",
           .alt =
               "A box on two feet after one sweep, with the impulses of its feet and how fast they move, and "
               "the question.",
-          .scene = [run](Page& page, const Rect& rect) {
-            BoxView view = view_after(run->middle, run->settings.speed, run->middle.by(Clamped::sum), 1);
+          .scene = [&run](Page& page, const Rect& rect) {
+            BoxView view = view_after(run.middle, run.settings.speed, run.middle.by(Clamped::sum), 1);
             view.asks = true;
-            draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run->middle, largest_of(*run),
+            draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run.middle, largest_of(run),
                      view);
           }};
 }
 
-QuestionFrame answer_frame(const Run& run) {
+QuestionFrame answer_frame(const FeetRun& run) {
   return {.state = "sweep 2 · foot 1",
           .alt =
               "The second visit of the left foot: with each push clamped nothing is taken back, with the "
               "sum clamped a part of the first push; and the answer.",
-          .scene = [run](Page& page, const Rect& rect) {
-            const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
+          .scene = [&run](Page& page, const Rect& rect) {
+            const List<Rect> parts = in_rows(page, rect, {0.5, 0.5});
             int at = 0;
             for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
-              draw_box(page, clamp_panel(page, parts[at++], clamped), run->middle, largest_of(*run),
-                       view_after(run->middle, run->settings.speed, run->middle.by(clamped), 2));
+              draw_box(page, clamp_panel(page, parts[at++], clamped), run.middle, largest_of(run),
+                       view_after(run.middle, run.settings.speed, run.middle.by(clamped), 2));
             }
           }};
 }
@@ -165,29 +145,29 @@ std::string answer_text(const FeetRun& run) {
          " N s of its first push, which was too large. A push may be negative; the sum may not.";
 }
 
-Shot visit_shot(const Run& run, int k) {
-  const Visit& naive = run->middle.by(Clamped::increment).visits[k];
-  const Visit& sum = run->middle.by(Clamped::sum).visits[k];
-  return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run->settings.sweeps, sum.foot + 1),
+Shot visit_shot(const FeetRun& run, int k) {
+  const Visit& naive = run.middle.by(Clamped::increment).visits[k];
+  const Visit& sum = run.middle.by(Clamped::sum).visits[k];
+  return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run.settings.sweeps, sum.foot + 1),
           .alt = fmt::format("Sweep {}, foot {}: with each push clamped it gives {:.2f} N s, with the sum "
                              "clamped {:.2f} N s; boxes, sums and both formulas side by side.",
                              sum.sweep, sum.foot + 1, naive.given(), sum.given()),
-          .draw = [run, k](Page& page) { draw_visit(page, *run, k); },
-          .key = k < 4 || k + 1 == run->middle.by(Clamped::sum).visits.size()};
+          .draw = [&run, k](Page& page) { draw_visit(page, run, k); },
+          .key = k < 4 || k + 1 == run.middle.by(Clamped::sum).visits.size()};
 }
 
-List<Shot> visit_shots(const Run& run) {
+List<Shot> visit_shots(const FeetRun& run) {
   List<Shot> shots;
-  for (int k = 0; k < run->middle.by(Clamped::sum).visits.size(); ++k) shots.push_back(visit_shot(run, k));
+  for (int k = 0; k < run.middle.by(Clamped::sum).visits.size(); ++k) shots.push_back(visit_shot(run, k));
   return shots;
 }
 
 }  // namespace
 
-render::SeriesStyle style_of(const render::Theme& theme, Clamped clamped) {
+SeriesStyle style_of(const Theme& theme, Clamped clamped) {
   if (clamped == Clamped::sum) return theme.si;
   if (clamped == Clamped::afterwards) return theme.box2d;
-  render::SeriesStyle style = theme.jacobi;
+  SeriesStyle style = theme.jacobi;
   style.dash = {};
   return style;
 }
@@ -202,16 +182,12 @@ Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped, const std::strin
 }
 
 void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, const BoxView& view) {
-  render::Camera camera = render::fit(rect, {{-1, -0.1}, {1, 1.17}});
+  Camera camera = fit(rect, {{-1, -0.1}, {1, 1.17}});
   camera.center.y() = std::min(0.54, 0.5 * rect.height / camera.scale - 0.1);  // little of the ground
   const double tallest = 0.9;                                                  // [m]
   page.canvas().push_clip(rect);
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  look.penetration = false;
-  draw_world(page, camera, box.snapshot, look);
-  const render::ArrowScale scale{
+  draw_world(page, camera, box.snapshot, {.numbers = false, .contacts = false, .penetration = false});
+  const ArrowScale scale{
       .pixels_per_unit = tallest * camera.scale / largest, .longest = 1.15 * camera.scale, .unit = "N s"};
   for (const int i : {0, 1}) draw_foot_velocity(page, camera, box, view, i);
   for (const int i : {0, 1}) {
@@ -222,7 +198,7 @@ void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, c
     const double taken = lit ? view.before - sum : 0;
     if (taken > 0.005) {
       draw_arrow(page, camera, scale,
-                 {.kind = render::ArrowKind::negative_correction,
+                 {.kind = ArrowKind::negative_correction,
                   .tail = {x, tallest * view.before / largest},
                   .value = {0, -taken},
                   .label = fixed(-taken, 2)});
@@ -240,14 +216,13 @@ LessonInfo card_for(const FeetRun& run) {
   return info;
 }
 
-List<Shot> feet_shots(const FeetRun& recorded) {
-  const Run run = std::make_shared<const FeetRun>(recorded);
-  List<Shot> shots = {question_shot(card_for(*run), question_frame(run))};
+List<Shot> feet_shots(const FeetRun& run) {
+  List<Shot> shots = {question_shot(card_for(run), question_frame(run))};
   for (const List<Shot>& part : {visit_shots(run), motion_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(spread_shot(run));
   shots.push_back(side_shot(run));
-  shots.push_back(answer_shot(card_for(*run), answer_frame(run), answer_text(recorded)));
+  shots.push_back(answer_shot(card_for(run), answer_frame(run), answer_text(run)));
   return shots;
 }
 

@@ -1,19 +1,9 @@
 // Prints the visits and what becomes of the box, and checks them against formulas, PGS and the library.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
+#include "lesson.hpp"
 
 namespace cairn::feet {
 
 namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 const char* name_of(Clamped clamped) {
   switch (clamped) {
@@ -140,7 +130,7 @@ std::string question_of(const FeetRun& run) {
       "{}\u00a0m/s. A contact must not pull. How much has the left foot given in all after its second visit, "
       "in N\u00a0s?",
       box_mass, run.settings.speed, run.settings.foot, visits[0].after[0], visits[1].after[1],
-      render::fixed(visits[2].jv, 2, render::Sign::always));
+      fixed(visits[2].jv, 2, Sign::always));
 }
 
 void tell_scene(Lesson& lesson, const FeetRun& run) {
@@ -216,9 +206,8 @@ CsvTable table_of(const FeetRun& run) {
     for (const Landing& landing : box.landings) {
       for (const Visit& visit : landing.visits) {
         const int foot = visit.foot;
-        table.rows.push_back({scene, name_of(landing.clamped), static_cast<long long>(visit.sweep),
-                              static_cast<long long>(visit.foot + 1), visit.jv, visit.asked,
-                              visit.before[foot], visit.after[foot]});
+        table.rows.push_back({scene, name_of(landing.clamped), visit.sweep, visit.foot + 1, visit.jv,
+                              visit.asked, visit.before[foot], visit.after[foot]});
       }
     }
   };

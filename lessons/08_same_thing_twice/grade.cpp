@@ -1,8 +1,5 @@
 // Exercise 08, graded: one row between 2 and 0.5 kg by hand, the same where they part, and three rows swept
 // by PGS and by SI.
-#include <algorithm>
-#include <cmath>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise08 {

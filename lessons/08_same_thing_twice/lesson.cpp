@@ -3,16 +3,7 @@
 // the two bodies of the row how they move by now. Equation (26) says that both hear the same. So we compute
 // every update of the first sweep both ways, and with the step (29) between them, and look for the digit in
 // which they part; then we run the library's two solvers for many sweeps in three precisions.
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "twice.hpp"
+#include "lesson.hpp"
 
 namespace {
 

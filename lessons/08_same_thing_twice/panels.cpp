@@ -1,23 +1,9 @@
 // The impulses of both solvers in pairs, the matrix, and numbers whose last digits differ.
-#include "panels.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::twice {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 /// Where the bars stand.
 struct PairField {
@@ -36,7 +22,7 @@ void draw_pair(Page& page, const PairField& field, const Moment& moment, int i) 
     page.canvas().rect(
         {left + at * field.pitch, top, width * field.pitch, std::abs(lambda) * field.per_newton}, paint);
   };
-  const render::Color outline = page.theme().outline;
+  const Color outline = page.theme().outline;
   const double line = active ? 2 : 0;
   bar(0, 0.4, moment.pgs[i], {.fill = page.theme().pgs.color, .outline = outline, .outline_width = line});
   bar(0.4, 0.4, moment.si[i], {.fill = page.theme().si.color, .outline = outline, .outline_width = line});
@@ -44,8 +30,7 @@ void draw_pair(Page& page, const PairField& field, const Moment& moment, int i) 
     bar(0, 0.8, moment.unclamped[i], {.outline = page.theme().secondary_text, .outline_width = 1.5});
   const bool beside = moment.active >= 0 && std::abs(i - moment.active) == 1;
   if (!active && (beside || (i % 5 != 4 && i != 0))) return;
-  render::TextStyle name = page.tick();
-  name.align = render::Align::center;
+  TextStyle name = aligned(page.tick(), Align::center);
   name.bold = active;
   page.canvas().text({left + 0.4 * field.pitch, field.rect.y + field.rect.height + name.size + 6},
                      fmt::format("{}", i + 1), name);
@@ -64,7 +49,7 @@ Range range_of(const TwiceRun& run) {
 }
 
 void draw_pairs(Page& page, const Rect& rect, const Moment& moment, const Range& range) {
-  render::Canvas& canvas = page.canvas();
+  Canvas& canvas = page.canvas();
   const Rect inside = page.panel(rect, "λ of rows 1 to 20 (N), a pair for each:");
   double x = inside.x + canvas.text_width("λ of rows 1 to 20 (N), a pair for each:", page.secondary()) + 16;
   for (const auto& [name, color] :
@@ -73,8 +58,7 @@ void draw_pairs(Page& page, const Rect& rect, const Moment& moment, const Range&
     canvas.text({x + 18, rect.y + 29}, name, page.label());
     x += 80;
   }
-  render::TextStyle tick = page.tick();
-  tick.align = render::Align::right;
+  TextStyle tick = aligned(page.tick(), Align::right);
   const double gutter = canvas.text_width("−000", tick) + 6;
   PairField field{{inside.x + gutter, inside.y + 6, inside.width - gutter, inside.height - tick.size - 14}};
   field.per_newton = field.rect.height / (range.high - range.low);
@@ -91,7 +75,7 @@ void draw_pairs(Page& page, const Rect& rect, const Moment& moment, const Range&
 }
 
 void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) {
-  render::MatrixView view{
+  MatrixView view{
       .title = "A = J M^{−1} J^{T} (1/kg)", .values = run.system.A, .active_row = active, .numbers = false};
   for (int i = 1; i <= run.problem.row_count(); ++i) {
     const std::string name = i == 1 || i % 5 == 0 ? fmt::format("{}", i) : "";
@@ -104,8 +88,7 @@ void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) 
 void draw_two_bodies(Page& page, const Rect& rect) {
   const double radius = 0.22 * rect.height;
   const Point middle(rect.x + rect.width / 2, rect.y + rect.height / 2);
-  render::TextStyle style = page.label();
-  style.align = render::Align::center;
+  TextStyle style = aligned(page.label(), Align::center);
   for (const double side : {-1.0, 1.0}) {
     const Point at = middle + Point(side * 1.5 * radius, 0), to = middle + Point(side * 0.55 * radius, 0);
     page.canvas().circle(at, radius,
@@ -122,7 +105,7 @@ void draw_two_bodies(Page& page, const Rect& rect) {
 void draw_digits(Page& page, const Rect& rect, const std::string& title, const List<Digits>& lines,
                  const std::string& below) {
   const Rect inside = page.panel(rect, title);
-  render::Canvas& canvas = page.canvas();
+  Canvas& canvas = page.canvas();
   std::size_t same = 0;
   const std::string& first = lines[0].digits;
   const auto agree = [&](const Digits& line) {
@@ -131,8 +114,8 @@ void draw_digits(Page& page, const Rect& rect, const std::string& title, const L
   while (same < first.size() && std::all_of(lines.begin(), lines.end(), agree)) ++same;
   const double pitch =
       std::min(44.0, inside.height / (static_cast<double>(lines.size()) + (below.empty() ? 0 : 1)));
-  const render::TextStyle plain{.size = 24, .color = page.theme().secondary_text, .mono = true};
-  render::TextStyle lit = plain;
+  const TextStyle plain{.size = 24, .color = page.theme().secondary_text, .mono = true};
+  TextStyle lit = plain;
   lit.bold = true;
   lit.color = page.theme().text;
   const double x = inside.x + 0.36 * inside.width;

@@ -1,26 +1,9 @@
 // Each row update of both solvers, then each sweep, and the digits in which they part.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <memory>
-#include <set>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "panels.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::twice {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-
-using Run = std::shared_ptr<const TwiceRun>;
 
 Moment after_row(const TwiceRun& run, int row) {
   Moment moment{.pgs = run.pgs[0], .si = run.si[0], .active = row, .unclamped = run.si[0]};
@@ -32,7 +15,7 @@ Moment after_row(const TwiceRun& run, int row) {
   return moment;
 }
 
-std::string power(double value) { return value == 0 ? "0" : render::significant(value, 2); }
+std::string power(double value) { return value == 0 ? "0" : significant(value, 2); }
 
 /// What either solver reads for this row.
 std::string reads(const TwiceRun& run, int row) {
@@ -46,16 +29,14 @@ std::string reads(const TwiceRun& run, int row) {
 }
 
 void draw_row(Page& page, const TwiceRun& run, int row) {
-  const List<Rect> halves = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.76, 0.24}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
-  draw_system(page, left[0], run, row);
-  page.note(left[1], "", reads(run, row));
-  draw_pairs(page, right[0], after_row(run, row), range_of(run));
+  const List<Rect> parts = in_columns(page, {{0.36, {0.76, 0.24}}, {0.64, {0.56, 0.44}}});
+  draw_system(page, parts[0], run, row);
+  page.note(parts[1], "", reads(run, row));
+  draw_pairs(page, parts[2], after_row(run, row), range_of(run));
   const RowStep& step = run.steps[row];
   const auto digits = [](double value) { return all_digits(value, 17); };
   const std::string clamped = step.si == step.by_27 ? "" : "; clamped to 0";
-  draw_digits(page, right[1],
+  draw_digits(page, parts[3],
               fmt::format("the λ of row {} before clamping, computed in three ways (N)", row + 1),
               {{"(27) SI: from v", digits(step.by_27)},
                {"(29) in between", digits(step.by_29)},
@@ -64,86 +45,78 @@ void draw_row(Page& page, const TwiceRun& run, int row) {
 }
 
 void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
-  const List<Rect> panels = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  draw_pairs(page, panels[0], {.pgs = run.pgs[sweep], .si = run.si[sweep]}, range_of(run));
-  render::TableView table;
+  const List<Rect> parts = in_rows(page, {0.6, {0.4, {0.6, 0.4}}});
+  draw_pairs(page, parts[0], {.pgs = run.pgs[sweep], .si = run.si[sweep]}, range_of(run));
+  TableView table;
   table.header = {"precision", "largest |λ_{PGS} − λ_{SI}|", "of the largest λ"};
   for (const PrecisionRun& precision : run.precisions) {
     const double difference = precision.difference[sweep];
     table.rows.push_back({precision.name, power(difference) + " N", power(difference / precision.scale)});
   }
-  const List<Rect> below = columns(panels[1], {0.6, 0.4}, page.sizes().gap);
-  page.table(below[0], fmt::format("after sweep {}", sweep), table);
+  page.table(parts[1], fmt::format("after sweep {}", sweep), table);
   const auto spacings = [&](int p) {
     const PrecisionRun& precision = run.precisions[p];
     return fixed(precision.difference[sweep] / precision.scale / precision.epsilon, 0);
   };
-  page.note(below[1], "",
+  page.note(parts[2], "",
             fmt::format("{} updates, and the two have parted by {}, {} and {} spacings ε of their numbers.",
                         sweep * run.problem.row_count(), spacings(0), spacings(1), spacings(2)));
 }
 
 /// The two stories: what each solver looks at in one update.
 void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
-  const List<Rect> parts = rows(rect, {0.38, 0.3, 0.32}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.66, 0.34}, page.sizes().gap);
-  page.equation(top[0], {.number = "PGS: a row of A, and all other λ",
-                         .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
-  draw_system(page, top[1], run, 6);
-  const List<Rect> middle = columns(parts[1], {0.66, 0.34}, page.sizes().gap);
-  page.equation(middle[0], {.number = "SI: two bodies, and a push at once",
-                            .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
-  draw_two_bodies(page, middle[1]);
-  draw_digits(page, parts[2], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),
+  const List<Rect> parts = in_rows(page, rect, {{0.38, {0.66, 0.34}}, {0.3, {0.66, 0.34}}, 0.32});
+  page.equation(parts[0], {.number = "PGS: a row of A, and all other λ",
+                           .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
+  draw_system(page, parts[1], run, 6);
+  page.equation(parts[2], {.number = "SI: two bodies, and a push at once",
+                           .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
+  draw_two_bodies(page, parts[3]);
+  draw_digits(page, parts[4], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),
               {{"PGS", "??.???????"}, {"SI", "??.???????"}}, "How many digits are the same?");
 }
 
 void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
-  const render::Color color = page.theme().outline;
-  const List<render::SeriesStyle> styles = {{color, {}, render::Marker::circle},
-                                            {color, {}, render::Marker::square},
-                                            {color, {}, render::Marker::diamond}};
-  render::Plot plot{
-      .title = "largest |λ_{PGS} − λ_{SI}| over the largest λ, with the spacing ε of each precision"};
+  const Color color = page.theme().outline;
+  const List<SeriesStyle> styles = {
+      {color, {}, Marker::circle}, {color, {}, Marker::square}, {color, {}, Marker::diamond}};
+  Plot plot{.title = "largest |λ_{PGS} − λ_{SI}| over the largest λ, with the spacing ε of each precision"};
   plot.x = {.title = "sweep", .min = 0, .max = run.settings.sweeps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-21, .max = 1e-4};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-21, .max = 1e-4};
   for (int p = 0; p < run.precisions.size(); ++p) {
     const PrecisionRun& precision = run.precisions[p];
-    render::Series series{.name = precision.name, .style = styles[p]};
-    for (int k = 1; k < precision.difference.size(); ++k) {
-      series.x.push_back(k);
-      series.y.push_back(precision.difference[k] / precision.scale);
-    }
+    Series series{.name = precision.name, .style = styles[p]};
+    for (int k = 1; k < precision.difference.size(); ++k)
+      series.add(k, precision.difference[k] / precision.scale);
     plot.series.push_back(series);
-    plot.goals.push_back(
-        {precision.epsilon, fmt::format("ε = {}", render::significant(precision.epsilon, 2))});
+    plot.goals.push_back({precision.epsilon, fmt::format("ε = {}", significant(precision.epsilon, 2))});
   }
   draw_plot(page, rect, plot);
 }
 
-Shot row_shot(const Run& run, int row) {
-  const RowStep& step = run->steps[row];
+Shot row_shot(const TwiceRun& run, int row) {
+  const RowStep& step = run.steps[row];
   const std::set<int> keys = {0, 1, 15, 19};  // the last but one is clamped, for most seeds
-  return {.state = fmt::format("sweep 1 · row {} of {}", row + 1, run->problem.row_count()),
+  return {.state = fmt::format("sweep 1 · row {} of {}", row + 1, run.problem.row_count()),
           .alt = fmt::format(
               "Row {} of the first sweep: SI arrives at {:.12g} N by (27), PGS at {:.12g} N by (28).",
               row + 1, step.by_27, step.by_28),
-          .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+          .draw = [&run, row](Page& page) { draw_row(page, run, row); },
           .key = keys.contains(row)};
 }
 
-Shot sweep_shot(const Run& run, int sweep) {
-  const double difference = run->precisions[1].difference[sweep];
-  return {.state = fmt::format("after sweep {} of {}", sweep, run->settings.sweeps),
+Shot sweep_shot(const TwiceRun& run, int sweep) {
+  const double difference = run.precisions[1].difference[sweep];
+  return {.state = fmt::format("after sweep {} of {}", sweep, run.settings.sweeps),
           .alt = fmt::format("After sweep {} the impulses of PGS and SI differ by {:.1e} N at most.", sweep,
                              difference),
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
-          .key = sweep == 10 || sweep == run->settings.sweeps};
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
+          .key = sweep == 10 || sweep == run.settings.sweeps};
 }
 
 /// Where the digits part in two precisions, and how the difference goes on.
 void draw_answer(Page& page, const Rect& rect, const TwiceRun& run) {
-  const List<Rect> parts = rows(rect, {0.23, 0.23, 0.54}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rect, {0.23, 0.23, 0.54});
   for (int p = 0; p < 2; ++p) {
     const PrecisionRun& precision = run.precisions[p];
     draw_digits(page, parts[p],
@@ -155,23 +128,22 @@ void draw_answer(Page& page, const Rect& rect, const TwiceRun& run) {
 
 }  // namespace
 
-List<Shot> twice_shots(const TwiceRun& recorded) {
-  const Run run = std::make_shared<const TwiceRun>(recorded);
-  const int last = run->settings.sweeps;
+List<Shot> twice_shots(const TwiceRun& run) {
+  const int last = run.settings.sweeps;
   List<Shot> shots = {question_shot(
       card(), {.state = "before the first sweep",
                .alt = "What PGS and what SI look at in one update, one impulse of both with unknown digits, "
                       "and the question.",
-               .scene = [run](Page& page, const Rect& rect) { draw_question(page, rect, *run); }})};
-  for (int row = 0; row < run->problem.row_count(); ++row) shots.push_back(row_shot(run, row));
+               .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }})};
+  for (int row = 0; row < run.problem.row_count(); ++row) shots.push_back(row_shot(run, row));
   for (int sweep = 2; sweep <= last; ++sweep) shots.push_back(sweep_shot(run, sweep));
-  const PrecisionRun& in_float = run->precisions[0];
+  const PrecisionRun& in_float = run.precisions[0];
   shots.push_back(answer_shot(
       card(),
       {.state = fmt::format("after sweep {0} of {0}", last),
        .alt = "The digits in which both solvers agree, in float and in double, their differences against "
               "sweeps in three precisions, and the answer.",
-       .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
+       .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
       fmt::format(
           "About {}: they differ by {} of the largest λ. They are one algorithm, and rounding costs a "
           "little more than one digit, in each precision.",

@@ -1,13 +1,7 @@
 // A random problem, and what both solvers of the library make of it.
-#include "twice.hpp"
+#include "lesson.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "lessons/random.hpp"
+#include "lessons/kit/random.hpp"
 
 namespace cairn::twice {
 

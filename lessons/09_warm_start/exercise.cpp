@@ -1,7 +1,7 @@
 // Exercise 09. Give every row its own impulse to begin with. Then: bash lessons/run check 9
 #include <algorithm>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise09 {
 

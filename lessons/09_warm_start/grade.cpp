@@ -1,7 +1,5 @@
 // Exercise 09, graded: rows that stay, change places, come and go, bodies that feel them, a shorter and a
 // longer step.
-#include <cmath>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise09 {

@@ -4,13 +4,9 @@
 // under the row's key. Three towers show what that is worth: one begins every step from nothing, one from
 // its own impulses, one from those of the contact below. Two more runs go by the number of a row, not its
 // key.
-#include "lessons/lesson.hpp"
-#include "lessons/words.hpp"
+#include "lesson.hpp"
 
-#include <fmt/format.h>
-
-#include "parts.hpp"
-#include "start.hpp"
+#include "lessons/kit/words.hpp"
 
 namespace {
 

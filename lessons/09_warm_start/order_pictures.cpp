@@ -1,52 +1,35 @@
 // How the error goes, step by step and sweep by sweep, and impulses that come to the wrong row.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "lessons/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::warm {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
-
 constexpr double smallest_error = 1e-6;  // of the chart
 
 /// |lambda_1 / W - 1| of every step, as long as `bound` stays above what the chart shows.
-render::Series error_series(const List<List<double>>& loads, double weight, double bound) {
-  render::Series series;
+Series error_series(const List<List<double>>& loads, double weight, double bound) {
+  Series series;
   for (int k = 1; k < loads.size(); ++k) {
     if (std::pow(bound, k) < smallest_error) break;
-    series.x.push_back(k);
-    series.y.push_back(std::abs(loads[k][0] / weight - 1));
+    series.add(k, std::abs(loads[k][0] / weight - 1));
   }
   return series;
 }
 
 void draw_errors(Page& page, const WarmStart& all) {
-  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.62, 0.38});
   const StartSettings& settings = all.settings;
   const double share = share_left(settings.boxes, settings.sweeps);
-  render::Series cold = error_series(all.cold.loads, settings.weight(), share);
+  Series cold = error_series(all.cold.loads, settings.weight(), share);
   cold.style = start_styles(page.theme())[0];
-  render::Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(share));
+  Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(share));
   warm.style = start_styles(page.theme())[1];
-  render::Series bound{.style = page.theme().exact, .markers = false};
-  for (const double k : warm.x) {
-    bound.x.push_back(k);
-    bound.y.push_back(std::pow(share, 0.5 * k));
-  }
-  render::Plot plot{.title = fmt::format("|λ_{{1}} / {:g} N − 1| after each step", settings.weight())};
+  Series bound{.style = page.theme().exact, .markers = false};
+  for (const double k : warm.x) bound.add(k, std::pow(share, 0.5 * k));
+  Plot plot{.title = fmt::format("|λ_{{1}} / {:g} N − 1| after each step", settings.weight())};
   plot.x = {.title = "step", .min = 0, .max = settings.steps};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = smallest_error, .max = 2};
+  plot.y = {.scale = AxisScale::logarithmic, .min = smallest_error, .max = 2};
   plot.series = {cold, warm, bound};
   const int middle = cold.x.size() / 2;
   plot.labels = {{cold.x[middle], cold.y[middle], "cold: ρ^{s} per step"},
@@ -61,18 +44,18 @@ void draw_errors(Page& page, const WarmStart& all) {
 }
 
 void draw_cold_sweeps(Page& page, const WarmStart& all) {
-  const List<Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const render::Color color = page.theme().outline;
-  const FixedList<render::SeriesStyle, 4> styles = {{{color, {2, 5}, render::Marker::diamond},
-                                                     {color, {10, 5, 2, 5}, render::Marker::triangle},
-                                                     {color, {10, 6}, render::Marker::square},
-                                                     {color, {}, render::Marker::circle}}};
-  render::Plot plot{.title = "what the lowest of n contacts lacks, in one step from nothing"};
-  plot.x = {.title = "sweeps", .scale = render::AxisScale::logarithmic, .min = 1, .max = 1500};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.005, .max = 1};
+  const List<Rect> parts = in_columns(page, {0.62, {0.38, {0.42, 0.58}}});
+  const Color color = page.theme().outline;
+  const FixedList<SeriesStyle, 4> styles = {{{color, {2, 5}, Marker::diamond},
+                                             {color, {10, 5, 2, 5}, Marker::triangle},
+                                             {color, {10, 6}, Marker::square},
+                                             {color, {}, Marker::circle}}};
+  Plot plot{.title = "what the lowest of n contacts lacks, in one step from nothing"};
+  plot.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1, .max = 1500};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 0.005, .max = 1};
   for (int s = 0; s < all.sweeps.size(); ++s) {
     const ColdSweeps& cold = all.sweeps[s];
-    render::Series series = render::over_steps("", styles[s], cold.error);
+    Series series = over_steps("", styles[s], cold.error);
     const auto half = std::find_if(cold.error.begin(), cold.error.end(), [](double e) { return e < 0.3; });
     plot.labels.push_back(
         {static_cast<double>(half - cold.error.begin()), *half, fmt::format("n = {}", cold.boxes)});
@@ -80,32 +63,29 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
   }
   plot.goals.push_back({wanted_error, "1 %"});
   draw_plot(page, parts[0], plot);
-  const List<Rect> right = rows(parts[1], {0.42, 0.58}, page.sizes().gap);
-  render::TableView table{.header = {"boxes n", "sweeps to 1 %", "formula"}};
+  TableView table{.header = {"boxes n", "sweeps to 1 %", "formula"}};
   for (const ColdSweeps& cold : all.sweeps) {
     table.rows.push_back({fmt::format("{}", cold.boxes), fmt::format("{}", cold.needed),
                           fixed(needed_by_formula(cold.boxes), 1)});
   }
-  page.table(right[0], "", table);
-  page.card(right[1], "",
+  page.table(parts[1], "", table);
+  page.card(parts[2], "",
             "The error spreads like heat along a rod: twice the length takes four times the "
             "time. So twice the height takes four times the sweeps.");
 }
 
 /// The tower with a first guess as bars, and the velocities that this guess gives to the boxes.
-void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const render::SeriesStyle& style,
+void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const SeriesStyle& style,
                 const List<double>& guess, const List<double>& velocity) {
   const bool is_right = velocity.back() < 0.01;
   const Rect view = draw_solver_panel(page, rect, style, is_right ? "by key" : "by number", "");
-  const render::Camera camera =
+  const Camera camera =
       draw_tower_loads(page, view, all.warm.frames.front(), guess,
                        {.box_weight = gravity, .largest = 1.5 * all.settings.weight(), .color = style.color});
-  render::TextStyle text = page.value();
-  text.align = render::Align::right;
+  TextStyle text = aligned(page.value(), Align::right);
   for (int i = 0; i < velocity.size(); ++i) {
     const double y = camera.project({0, i + 0.5}).y();
-    const std::string moves =
-        std::abs(velocity[i]) < 0.005 ? "0" : fixed(velocity[i], 1, render::Sign::always);
+    const std::string moves = std::abs(velocity[i]) < 0.005 ? "0" : fixed(velocity[i], 1, Sign::always);
     page.canvas().text({view.x + view.width, y + text.size / 3}, moves + " m/s", text);
   }
 }
@@ -113,7 +93,7 @@ void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const render
 /// Which row is which contact now, and what its number and its key find among the impulses that were kept.
 void draw_found(Page& page, const Rect& rect, const WarmStart& all) {
   const int n = all.settings.boxes;
-  render::TableView table{.header = {"row", "contact", "by number", "by key"}};
+  TableView table{.header = {"row", "contact", "by number", "by key"}};
   for (int row = 1; row <= n; ++row) {
     const int contact = n + 1 - row;
     table.rows.push_back({fmt::format("{}", row), fmt::format("{}", contact),
@@ -124,16 +104,15 @@ void draw_found(Page& page, const Rect& rect, const WarmStart& all) {
 }
 
 void draw_reversed(Page& page, const WarmStart& all) {
-  const List<Rect> parts = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {0.36, 0.32, 0.32}, page.sizes().gap);
-  const FixedList<render::SeriesStyle, 3> styles = start_styles(page.theme());
+  const List<Rect> parts = in_rows(page, {{0.74, {0.36, 0.32, 0.32}}, 0.26});
+  const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const ReversedStep& step = all.reversed;
-  draw_found(page, panels[0], all);
-  draw_guess(page, panels[1], all, styles[2], step.by_number, step.velocity_by_number);
-  draw_guess(page, panels[2], all, styles[1], step.by_key, step.velocity_by_key);
+  draw_found(page, parts[0], all);
+  draw_guess(page, parts[1], all, styles[2], step.by_number, step.velocity_by_number);
+  draw_guess(page, parts[2], all, styles[1], step.by_key, step.velocity_by_key);
   double after = 0;
   for (const double v : step.velocity_after) after = std::max(after, std::abs(v));
-  page.note(parts[1], "",
+  page.note(parts[3], "",
             fmt::format("The last step found the contacts from the ground up, this one from the top "
                         "down. By number, every contact gets the impulse of another one: the top box "
                         "is thrown up at {:.1f} m/s before the first sweep, and {:.2f} m/s are left after "
@@ -153,35 +132,29 @@ int worst_guest_step(const WarmStart& all) {
 }
 
 void draw_guest(Page& page, const WarmStart& all) {
-  const List<Rect> parts = columns(page.area(), {0.36, 0.64}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.36, {0.64, {0.68, 0.32}}});
   const int step = worst_guest_step(all);
   const Rect inside = page.panel(parts[0], "");
-  const render::Camera camera = render::fit(inside, {{-2.4, -0.6}, {1.2, all.settings.boxes + 0.4}});
-  render::WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  look.numbers = false;
-  draw_world(page, camera, all.guest.frames[step], look);
-  const List<Rect> right = rows(parts[1], {0.68, 0.32}, page.sizes().gap);
-  render::Plot plot{.title = "load λ_{1} on the lowest box (N)"};
+  const Camera camera = fit(inside, {{-2.4, -0.6}, {1.2, all.settings.boxes + 0.4}});
+  draw_world(page, camera, all.guest.frames[step],
+             {.numbers = false, .contacts = false, .penetration = false});
+  Plot plot{.title = "load λ_{1} on the lowest box (N)"};
   const int first = all.guest.by_key.size() / 4;  // once the first swings are over
   plot.x = {.title = "step", .min = first, .max = all.settings.steps};
   plot.series = {{.name = "by key", .style = start_styles(page.theme())[1]},
                  {.name = "by number", .style = start_styles(page.theme())[2], .markers = false}};
-  render::Series touches{
-      .name = "ball touches", .style = {page.theme().external, {}, render::Marker::triangle}, .line = false};
+  Series touches{
+      .name = "ball touches", .style = {page.theme().external, {}, Marker::triangle}, .line = false};
   for (int k = first; k < all.guest.by_key.size(); ++k) {
-    for (render::Series& series : plot.series) series.x.push_back(k);
-    plot.series[0].y.push_back(all.guest.by_key[k][0]);
-    plot.series[1].y.push_back(all.guest.by_number[k][0]);
+    plot.series[0].add(k, all.guest.by_key[k][0]);
+    plot.series[1].add(k, all.guest.by_number[k][0]);
     if (!all.guest.ball_touches[k]) continue;
-    touches.x.push_back(k);
-    touches.y.push_back(all.guest.by_number[k][0]);
+    touches.add(k, all.guest.by_number[k][0]);
   }
   plot.series.push_back(touches);
   plot.cursor = step;
-  draw_plot(page, right[0], plot);
-  page.note(right[1], "",
+  draw_plot(page, parts[1], plot);
+  page.note(parts[2], "",
             "A ball bounces beside the tower and never touches it. While the ball touches the "
             "ground, its contact is the first row, and all others shift by one. Matched by number, this "
             "shakes the tower. Matched by key, not one bit of its loads changes.");
@@ -189,28 +162,24 @@ void draw_guest(Page& page, const WarmStart& all) {
 
 }  // namespace
 
-List<Shot> order_shots(const All& all) {
+List<Shot> order_shots(const WarmStart& all) {
   return {
-      {.state = "error against steps",
-       .alt = "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
-              "swings below a line that falls half as steeply.",
-       .draw = [all](Page& page) { draw_errors(page, *all); },
-       .key = true},
-      {.state = "one step from nothing",
-       .alt = "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
-       .draw = [all](Page& page) { draw_cold_sweeps(page, *all); },
-       .key = true},
-      {.state = "rows in another order",
-       .alt = "First guesses by number and by key when rows come from the top down: by number the lowest "
-              "contact "
-              "has the smallest guess, all boxes but one fall, and the top box is thrown up.",
-       .draw = [all](Page& page) { draw_reversed(page, *all); },
-       .key = true},
-      {.state = "a ball bounces beside it",
-       .alt = "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
-              "every bounce.",
-       .draw = [all](Page& page) { draw_guest(page, *all); },
-       .key = true}};
+      key_shot(all, "error against steps",
+               "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
+               "swings below a line that falls half as steeply.",
+               draw_errors),
+      key_shot(all, "one step from nothing",
+               "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
+               draw_cold_sweeps),
+      key_shot(all, "rows in another order",
+               "First guesses by number and by key when rows come from the top down: by number the lowest "
+               "contact "
+               "has the smallest guess, all boxes but one fall, and the top box is thrown up.",
+               draw_reversed),
+      key_shot(all, "a ball bounces beside it",
+               "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
+               "every bounce.",
+               draw_guest)};
 }
 
 }  // namespace cairn::warm

@@ -1,25 +1,9 @@
 // Three towers side by side, cold, warm and one row off, above one chart that all three share.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <set>
-
-#include "lessons/question.hpp"
-#include "lessons/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::warm {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
-using render::SeriesStyle;
 
 FixedList<const StartRun*, 3> runs_of(const WarmStart& all) { return {&all.cold, &all.warm, &all.shifted}; }
 
@@ -53,7 +37,7 @@ Range lately_carried(const StartRun& run, int frame) {
 }
 
 /// Where the top of the tower was at the start.
-void draw_start_line(Page& page, const render::Camera& camera, double boxes) {
+void draw_start_line(Page& page, const Camera& camera, double boxes) {
   page.canvas().line(camera.project({-1, boxes}), camera.project({1, boxes}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {6, 4}});
 }
@@ -75,16 +59,16 @@ struct StartView {
 
 void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, const StartView& shown) {
   const StartRun& run = shown.run;
-  const std::string top = "top " + fixed(risen(run, frame), 0, render::Sign::always) + " mm";
+  const std::string top = "top " + fixed(risen(run, frame), 0, Sign::always) + " mm";
   const bool is_wide = rect.width > 300;  // or there is room for the tower alone
   const Rect view = draw_solver_panel(page, rect, shown.style, shown.name, is_wide ? top : "");
   const Range range = lately_carried(run, frame);
-  const render::Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
-                                                 {.box_weight = gravity,
-                                                  .largest = largest_load(all),
-                                                  .color = shown.style.color,
-                                                  .least = range.least,
-                                                  .most = range.most});
+  const Camera camera = draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
+                                         {.box_weight = gravity,
+                                          .largest = largest_load(all),
+                                          .color = shown.style.color,
+                                          .least = range.least,
+                                          .most = range.most});
   draw_start_line(page, camera, all.settings.boxes);
   if (frame == 0 || !is_wide) return;
   List<std::string> lines = {motion_of(run, frame),
@@ -96,14 +80,13 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, c
   if (shown.is_first)
     lines.insert(lines.end(), {"bar: load", "tick: to carry", fmt::format("pale: last {} steps", lately)});
   for (int i = 0; i < lines.size(); ++i) {
-    render::TextStyle text = i < (swings ? 3 : 2) ? page.value() : page.secondary();
-    text.align = render::Align::right;
+    TextStyle text = aligned(i < (swings ? 3 : 2) ? page.value() : page.secondary(), Align::right);
     page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
   }
 }
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
-  const List<Rect> panels = columns(rect, {1, 1, 1}, page.sizes().gap);
+  const List<Rect> panels = in_columns(page, rect, {1, 1, 1});
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const FixedList<const StartRun*, 3> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
@@ -114,8 +97,8 @@ void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) 
 }
 
 void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int frame) {
-  render::Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; to carry: {:g} N",
-                                         all.settings.weight())};
+  Plot plot{.title = fmt::format("load λ_{{1}} on the lowest box, step by step; to carry: {:g} N",
+                                 all.settings.weight())};
   constexpr int near = 30;  // steps that the first frames show
   const int shown = frame <= near ? near : all.settings.steps;
   plot.x = {.title = "step", .min = 0, .max = shown};
@@ -123,11 +106,8 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   const FixedList<const StartRun*, 3> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
-    render::Series series{.name = runs[s]->name, .style = styles[s]};
-    for (int k = 0; k <= shown; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(runs[s]->loads[k][0]);
-    }
+    Series series{.name = runs[s]->name, .style = styles[s]};
+    for (int k = 0; k <= shown; ++k) series.add(k, runs[s]->loads[k][0]);
     plot.series.push_back(series);
   }
   plot.goals.push_back({all.settings.weight(), ""});
@@ -136,7 +116,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
 }
 
 void draw_step(Page& page, const WarmStart& all, int frame) {
-  const List<Rect> parts = rows(page.area(), {0.57, 0.43}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.57, 0.43});
   draw_towers(page, parts[0], all, frame);
   draw_load_plot(page, parts[1], all, frame);
 }
@@ -144,13 +124,13 @@ void draw_step(Page& page, const WarmStart& all, int frame) {
 /// Where the tops have been; of the warm one only what was before `frame`.
 void draw_tops(Page& page, const Rect& rect, const WarmStart& all, int frame) {
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-  render::Plot plot{.title = "how far the tops have moved (mm)"};
+  Plot plot{.title = "how far the tops have moved (mm)"};
   plot.x = {.title = "step", .min = 0, .max = question_steps};
   plot.y = {.min = 1.1 * lowest(all.many_cold), .max = 0};
   const auto add = [&](const StartRun& run, const SeriesStyle& style, int steps) {
     List<double> tops;
     for (int k = 0; k <= steps; ++k) tops.push_back(risen(run, k));
-    plot.series.push_back(render::over_steps(run.name, style, tops));
+    plot.series.push_back(over_steps(run.name, style, tops));
   };
   add(all.many_cold, styles[0], question_steps);
   if (frame > 0) add(all.few_warm, styles[1], frame);
@@ -158,15 +138,14 @@ void draw_tops(Page& page, const Rect& rect, const WarmStart& all, int frame) {
 }
 
 /// The cold tower of the question at the end, and the warm one at the given step.
-QuestionFrame two_towers(const All& all, int frame, std::string state, std::string alt) {
-  const auto draw = [all, frame](Page& page, const Rect& rect) {
-    const List<Rect> parts = rows(rect, {0.5, 0.5}, page.sizes().gap);
-    const List<Rect> panels = columns(parts[0], {1, 1}, page.sizes().gap);
+QuestionFrame two_towers(const WarmStart& all, int frame, std::string state, std::string alt) {
+  const auto draw = [&all, frame](Page& page, const Rect& rect) {
+    const List<Rect> parts = in_rows(page, rect, {{0.5, {1, 1}}, 0.5});
     const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-    const std::string warm = frame == 0 ? "warm, ? sweeps" : all->few_warm.name;
-    draw_start(page, panels[0], *all, question_steps, {all->many_cold, styles[0], all->many_cold.name, true});
-    draw_start(page, panels[1], *all, frame, {all->few_warm, styles[1], warm});
-    draw_tops(page, parts[1], *all, frame);
+    const std::string warm = frame == 0 ? "warm, ? sweeps" : all.few_warm.name;
+    draw_start(page, parts[0], all, question_steps, {all.many_cold, styles[0], all.many_cold.name, true});
+    draw_start(page, parts[1], all, frame, {all.few_warm, styles[1], warm});
+    draw_tops(page, parts[2], all, frame);
   };
   return {.state = std::move(state), .alt = std::move(alt), .scene = draw};
 }
@@ -177,14 +156,14 @@ LessonInfo card_for(const WarmStart& all) {
   return info;
 }
 
-Shot step_shot(const All& all, int frame) {
-  return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all->settings.dt, 2)),
+Shot step_shot(const WarmStart& all, int frame) {
+  return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all.settings.dt, 2)),
           .alt = fmt::format(
               "Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
               "off; the tops have moved by {:+.0f} mm, {:+.0f} mm and {:+.0f} mm.",
-              frame, all->cold.loads[frame][0], all->warm.loads[frame][0], all->shifted.loads[frame][0],
-              risen(all->cold, frame), risen(all->warm, frame), risen(all->shifted, frame)),
-          .draw = [all, frame](Page& page) { draw_step(page, *all, frame); }};
+              frame, all.cold.loads[frame][0], all.warm.loads[frame][0], all.shifted.loads[frame][0],
+              risen(all.cold, frame), risen(all.warm, frame), risen(all.shifted, frame)),
+          .draw = [&all, frame](Page& page) { draw_step(page, all, frame); }};
 }
 
 std::string answer_text(const WarmStart& all) {
@@ -198,19 +177,16 @@ std::string answer_text(const WarmStart& all) {
 
 }  // namespace
 
-FixedList<SeriesStyle, 3> start_styles(const render::Theme& theme) {
-  return {{{theme.box2d.color, {10, 6}, render::Marker::square},
-           {theme.si.color, {}, render::Marker::circle},
-           theme.jacobi}};
+FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
+  return {{{theme.box2d.color, {10, 6}, Marker::square}, {theme.si.color, {}, Marker::circle}, theme.jacobi}};
 }
 
-List<Shot> start_shots(const WarmStart& recorded) {
-  const All all = std::make_shared<const WarmStart>(recorded);
-  const int last = all->settings.steps;
+List<Shot> start_shots(const WarmStart& all) {
+  const int last = all.settings.steps;
   const std::set<int> keys = {1, 5, 10, last};
   const std::string of_cold = fmt::format("after {} steps", question_steps);
   List<Shot> shots = {question_shot(
-      card_for(*all),
+      card_for(all),
       two_towers(all, 0, of_cold + ", and before the first",
                  "A tower of ten boxes after 50 cold sweeps in each step, which has sunk, one that is "
                  "about to begin warm, how the first one sank, and the question."))};
@@ -220,11 +196,11 @@ List<Shot> start_shots(const WarmStart& recorded) {
   }
   for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
   shots.push_back(answer_shot(
-      card_for(*all),
+      card_for(all),
       two_towers(
           all, question_steps, of_cold,
-          fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all->few)),
-      answer_text(*all)));
+          fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all.few)),
+      answer_text(all)));
   return shots;
 }
 

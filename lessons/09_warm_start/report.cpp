@@ -1,18 +1,9 @@
 // Prints the loads, the sweeps of a cold step and what wrong places do, and checks them against theory.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::warm {
 
 namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 std::string listed(const List<double>& numbers) {
   std::string text;

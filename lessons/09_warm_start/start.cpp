@@ -1,9 +1,5 @@
 // The towers in a world, and the step whose rows come in another order.
-#include "start.hpp"
-
-#include <algorithm>
-
-#include "lessons/lesson.hpp"
+#include "lesson.hpp"
 
 #include "validation/column.hpp"
 

@@ -1,10 +1,7 @@
 // The same tower without the engine: plain loops, powers of a matrix, and the slowest mode.
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
-#include "math/list.hpp"
-#include "start.hpp"
+#include <Eigen/Dense>
 
 namespace cairn::warm {
 

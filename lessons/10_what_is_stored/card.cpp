@@ -1,5 +1,5 @@
 // What lesson 10 is: its title, its equations, its question, its parameters.
-#include "lessons/card.hpp"
+#include "lessons/kit/card.hpp"
 
 namespace cairn {
 

@@ -1,17 +1,9 @@
 // Three pairs of rows for which equation (30) and A do not say the same.
-#include <fmt/format.h>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stored {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 /// What is written beside one pair.
 struct CaseText {
@@ -41,28 +33,25 @@ FixedList<CaseText, 3> case_texts() {
 
 /// Both contacts, and how far they are from the centre of the body or the origin of the ground, both at x =
 /// 0.
-void draw_contact_arms(Page& page, const render::Camera& camera, const PairCase& one,
-                       const std::string& letter) {
-  const render::Stroke thin{.width = 1.5, .color = page.theme().secondary_text};
-  const render::ArrowScale scale{.pixels_per_unit = camera.scale, .longest = 2 * camera.scale};
+void draw_contact_arms(Page& page, const Camera& camera, const PairCase& one, const std::string& letter) {
+  const Stroke thin{.width = 1.5, .color = page.theme().secondary_text};
+  const ArrowScale scale{.pixels_per_unit = camera.scale, .longest = 2 * camera.scale};
   const Point zero = camera.project({0, 0.7});
   const Point middle = camera.project({0, letter == "r" ? 0.25 : 0});
   page.canvas().line(middle, zero, thin);
   page.canvas().circle(middle, page.sizes().contact, {.fill = page.theme().outline});
   int number = 0;
   for (const SnapshotContact& contact : one.snapshot.contacts) {
-    draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::normal, .tail = contact.position, .value = {0, 1.1}});
+    draw_arrow(page, camera, scale, {.kind = ArrowKind::normal, .tail = contact.position, .value = {0, 1.1}});
     const Point tip = camera.project(contact.position + Vec2<double>(0, 1.1));
-    render::TextStyle style{
-        .size = 26, .color = page.theme().text, .bold = true, .align = render::Align::center};
+    TextStyle style{.size = 26, .color = page.theme().text, .bold = true, .align = Align::center};
     page.canvas().text(tip - Point(0, 10), fmt::format("{}", ++number), style);
     const Point end(tip.x(), zero.y());
     page.canvas().line(zero, end, thin);
     const std::string text =
-        fmt::format("{}_{{{}}} = {} m", letter, number, render::significant(contact.position.x(), 2));
+        fmt::format("{}_{{{}}} = {} m", letter, number, significant(contact.position.x(), 2));
     style = page.label();
-    style.align = render::Align::center;
+    style.align = Align::center;
     const double width = page.canvas().text_width(text, style);
     const bool fits = std::abs(end.x() - zero.x()) > width + 24;
     const Point beside(end.x() + (number == 1 ? -1 : 1) * (0.5 * width + 12), end.y() + 6);
@@ -71,39 +60,35 @@ void draw_contact_arms(Page& page, const render::Camera& camera, const PairCase&
 }
 
 void draw_case(Page& page, const PairCase& one, const CaseText& text) {
-  const List<Rect> halves = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.68, 0.32}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
-  const Rect inside = page.panel(left[0], one.title);
+  const List<Rect> parts = in_columns(page, {{0.62, {0.68, 0.32}}, {0.38, {0.5, 0.5}}});
+  const Rect inside = page.panel(parts[0], one.title);
   const double from = one.snapshot.contacts[0].position.x(), to = one.snapshot.contacts[1].position.x();
-  const render::Camera camera =
-      render::fit(inside, {{std::min(from, -to) - 0.7, -0.4}, {std::max(to, -from) + 0.7, 1.5}});
+  const Camera camera = fit(inside, {{std::min(from, -to) - 0.7, -0.4}, {std::max(to, -from) + 0.7, 1.5}});
   draw_world(page, camera, one.snapshot, {.numbers = false, .penetration = false});
   draw_contact_arms(page, camera, one, text.arm);
-  page.note(left[1], "", text.note);
-  page.equation(right[0], {.number = "eq (30) as printed",
+  page.note(parts[1], "", text.note);
+  page.equation(parts[2], {.number = "eq (30) as printed",
                            .symbols = text.product,
                            .numbers = text.product_numbers,
-                           .result = fmt::format("= {}: {}", render::significant(one.printed),
+                           .result = fmt::format("= {}: {}", significant(one.printed),
                                                  one.printed == 0 ? "not counted" : "counted")});
-  page.equation(right[1],
-                {.number = "eq (15)",
-                 .symbols = text.coupling,
-                 .numbers = text.coupling_numbers,
-                 .result = one.coupling == 0 ? "= 0" : "= " + render::significant(one.coupling) + " 1/kg"});
+  page.equation(parts[3], {.number = "eq (15)",
+                           .symbols = text.coupling,
+                           .numbers = text.coupling_numbers,
+                           .result = one.coupling == 0 ? "= 0" : "= " + significant(one.coupling) + " 1/kg"});
 }
 
 }  // namespace
 
-List<Shot> case_shots(const Run& run) {
+List<Shot> case_shots(const StoredRun& run) {
   List<Shot> shots;
-  for (int i = 0; i < run->cases.size(); ++i) {
+  for (int i = 0; i < run.cases.size(); ++i) {
     shots.push_back(
-        {.state = fmt::format("pair {} of {}", i + 1, run->cases.size()),
+        {.state = fmt::format("pair {} of {}", i + 1, run.cases.size()),
          .alt = fmt::format("Two contacts with their distances and the product of their rows, {:.4g}, beside "
                             "their entry in A, {:.4g}: {}.",
-                            run->cases[i].printed, run->cases[i].coupling, run->cases[i].title),
-         .draw = [run, i](Page& page) { draw_case(page, run->cases[i], case_texts()[i]); },
+                            run.cases[i].printed, run.cases[i].coupling, run.cases[i].title),
+         .draw = [&run, i](Page& page) { draw_case(page, run.cases[i], case_texts()[i]); },
          .key = true});
   }
   return shots;

@@ -1,36 +1,25 @@
 // Memory and work against the number of rows, and a scene where A has no zeros.
-#include <fmt/format.h>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stored {
 
 namespace {
 
-using render::Page;
-using render::Rect;
-
 /// A number of each pyramid against its rows. The largest pyramid allowed has 968 rows.
-render::Plot rows_plot(const Page& page, const StoredRun& run, const std::string& title, bool of_work) {
-  render::Plot plot{.title = title};
-  plot.x = {.title = "rows m", .scale = render::AxisScale::logarithmic, .min = 10, .max = 1000};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 100, .max = 1e7};
-  render::Series full{.name = "full A", .style = page.theme().pgs};
-  render::Series sparse{.name = "sparse A", .style = {page.theme().outline, {2, 5}, render::Marker::diamond}};
-  render::Series si{.name = "SI", .style = page.theme().si};
-  render::Series naive{.name = "naive",
-                       .style = {page.theme().external, {10, 5, 2, 5}, render::Marker::triangle}};
+Plot rows_plot(const Page& page, const StoredRun& run, const std::string& title, bool of_work) {
+  Plot plot{.title = title};
+  plot.x = {.title = "rows m", .scale = AxisScale::logarithmic, .min = 10, .max = 1000};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 100, .max = 1e7};
+  Series full{.name = "full A", .style = page.theme().pgs};
+  Series sparse{.name = "sparse A", .style = {page.theme().outline, {2, 5}, Marker::diamond}};
+  Series si{.name = "SI", .style = page.theme().si};
+  Series naive{.name = "naive", .style = {page.theme().external, {10, 5, 2, 5}, Marker::triangle}};
   for (const Count& count : run.pyramids) {
     const Work work = work_of(count);
-    for (render::Series* series : {&full, &sparse, &si, &naive}) series->x.push_back(count.rows);
-    full.y.push_back(of_work ? work.dense : count.dense * sizeof(double));
-    sparse.y.push_back(of_work ? work.sparse : count.pairs * (sizeof(double) + sizeof(int)));
-    si.y.push_back(of_work ? work.si : count.rows * sizeof(double));
-    naive.y.push_back(work.naive);
+    full.add(count.rows, of_work ? work.dense : count.dense * sizeof(double));
+    sparse.add(count.rows, of_work ? work.sparse : count.pairs * (sizeof(double) + sizeof(int)));
+    si.add(count.rows, of_work ? work.si : count.rows * sizeof(double));
+    naive.add(count.rows, work.naive);
   }
   plot.series = {full, sparse, si};
   if (of_work) plot.series.push_back(naive);
@@ -38,55 +27,49 @@ render::Plot rows_plot(const Page& page, const StoredRun& run, const std::string
 }
 
 void draw_cost(Page& page, const StoredRun& run) {
-  const List<Rect> bands = rows(page.area(), {0.7, 0.3}, page.sizes().gap);
-  const List<Rect> charts = columns(bands[0], {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> notes = columns(bands[1], {0.5, 0.5}, page.sizes().gap);
-  draw_plot(page, charts[0], rows_plot(page, run, "what is kept of A (bytes)", false));
-  draw_plot(page, charts[1], rows_plot(page, run, "multiply-adds of one sweep", true));
-  page.note(notes[0], "",
+  const List<Rect> parts = in_rows(page, {{0.7, {0.5, 0.5}}, {0.3, {0.5, 0.5}}});
+  draw_plot(page, parts[0], rows_plot(page, run, "what is kept of A (bytes)", false));
+  draw_plot(page, parts[1], rows_plot(page, run, "multiply-adds of one sweep", true));
+  page.note(parts[2], "",
             "Twice the rows take four times the memory in a full A, and twice in the others. Each entry of a "
             "sparse A has its column beside it: 12 bytes.");
   page.note(
-      notes[1], "",
+      parts[3], "",
       fmt::format("SI makes 12 for each row. A sparse row of A has {:.1f} entries at base {}. Naive PGS "
                   "computes all velocities again after each row (paper 4.4).",
                   work_of(run.pyramids.back()).sparse / run.pyramids.back().rows, run.settings.base));
 }
 
 void draw_tray(Page& page, const StoredRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.2, 0.8}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.2, {0.8, {0.36, 0.36, {0.28, {0.4, 0.6}}}}});
   const Rect inside = page.panel(
       parts[0],
       fmt::format("tray: {} boxes on one body that can move, m = {:g} rows", boxes_on_tray, run.tray.rows));
-  const render::Camera camera = render::fit(inside, render::bounds_of({&run.tray_snapshot, 1}));
+  const Camera camera = fit(inside, render::bounds_of({&run.tray_snapshot, 1}));
   draw_world(page, camera, run.tray_snapshot, {.numbers = false, .contacts = false, .penetration = false});
-  const List<Rect> below = columns(parts[1], {0.36, 0.36, 0.28}, page.sizes().gap);
   const Count& pyramid = run.pyramids[2];
-  draw_pattern(page, below[0], pyramid, run.problems[2]);
-  draw_pattern(page, below[1], run.tray, run.tray_problem);
-  const List<Rect> right = rows(below[2], {0.4, 0.6}, page.sizes().gap);
-  page.table(right[0], "multiply-adds of a sweep",
+  draw_pattern(page, parts[1], pyramid, run.problems[2]);
+  draw_pattern(page, parts[2], run.tray, run.tray_problem);
+  page.table(parts[3], "multiply-adds of a sweep",
              {.header = {"", pyramid.name, run.tray.name},
               .rows = {{"sparse A", spaced(work_of(pyramid).sparse), spaced(work_of(run.tray).sparse)},
                        {"SI", spaced(work_of(pyramid).si), spaced(work_of(run.tray).si)}}});
-  page.note(right[1], "", "All boxes push the tray, so all rows meet. The work of SI stays the same.");
+  page.note(parts[4], "", "All boxes push the tray, so all rows meet. The work of SI stays the same.");
 }
 
 }  // namespace
 
-List<Shot> cost_shots(const Run& run) {
+List<Shot> cost_shots(const StoredRun& run) {
   return {
-      {.state = "memory and work",
-       .alt = "Two charts against rows, all axes logarithmic. Bytes: a full A rises twice as steeply as a "
-              "sparse one and SI. Multiply-adds of a sweep: naive and full A rise with the square, sparse A "
-              "and SI lie together.",
-       .draw = [run](Page& page) { draw_cost(page, *run); },
-       .key = true},
-      {.state = "a scene without zeros",
-       .alt = "Boxes in a row on one tray; the pattern of a pyramid's A, a thin band, beside that of the "
-              "tray with as many rows, which is full.",
-       .draw = [run](Page& page) { draw_tray(page, *run); },
-       .key = true}};
+      key_shot(run, "memory and work",
+               "Two charts against rows, all axes logarithmic. Bytes: a full A rises twice as steeply as a "
+               "sparse one and SI. Multiply-adds of a sweep: naive and full A rise with the square, sparse A "
+               "and SI lie together.",
+               draw_cost),
+      key_shot(run, "a scene without zeros",
+               "Boxes in a row on one tray; the pattern of a pyramid's A, a thin band, beside that of the "
+               "tray with as many rows, which is full.",
+               draw_tray)};
 }
 
 }  // namespace cairn::stored

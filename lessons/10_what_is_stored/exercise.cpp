@@ -1,5 +1,5 @@
 // Exercise 10. Count the entries of A. Then: bash lessons/run check 10
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise10 {
 

@@ -3,14 +3,9 @@
 // through all pairs of rows of a few pyramids and count: the pairs that have an entry in A, those that (30)
 // counts, and those that share a body which can move, for which a sparse A needs room. Then the solvers say
 // themselves what they keep, and three pairs of rows show where (30) goes wrong.
-#include "lessons/lesson.hpp"
+#include "lesson.hpp"
 
-#include <fmt/format.h>
-
-#include "math/list.hpp"
-#include "parts.hpp"
 #include "solvers/body_rows.hpp"
-#include "stored.hpp"
 
 namespace {
 

@@ -1,24 +1,9 @@
 // The question, the smallest pyramid row by row beside its A, the patterns of three, and the answer.
-#include "parts.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "render/draw.hpp"
-#include "render/matrix.hpp"
+#include "lesson.hpp"
 
 namespace cairn::stored {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 constexpr int smallest = 0;  // of the pyramids
 constexpr int largest = 3;
@@ -27,7 +12,7 @@ void draw_pyramid(Page& page, const Rect& rect, const StoredRun& run, int which)
   const Count& count = run.pyramids[which];
   const Rect inside = page.panel(rect, fmt::format("{} boxes: m = {:g} rows", count.bodies, count.rows));
   const double half = 0.5 * run.settings.spacing * count.base + 0.3;
-  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, count.base + 0.3}});
+  const Camera camera = fit(inside, {{-half, -0.5}, {half, count.base + 0.3}});
   draw_world(page, camera, run.snapshots[which], {.numbers = false, .contacts = false, .penetration = false});
 }
 
@@ -38,17 +23,13 @@ bool meet(const Eigen::MatrixXd& A, int i, int j) { return std::abs(A(i, j)) > 1
 void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::MatrixXd& A, int active) {
   const Rect inside = page.panel(rect, "");
   const double half = 0.5 * run.settings.spacing * 3 + 0.4;
-  const render::Camera camera = render::fit(inside, {{-half, -0.5}, {half, 3.3}});
+  const Camera camera = fit(inside, {{-half, -0.5}, {half, 3.3}});
   const VelocityProblem<double>& problem = run.problems[smallest];
   const ConstraintRow<double>& row = problem.rows[active];
-  render::WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  look.active_a = row.a;
-  look.active_b = row.b;
-  draw_world(page, camera, run.snapshots[smallest], look);
+  draw_world(page, camera, run.snapshots[smallest],
+             {.active_a = row.a, .active_b = row.b, .contacts = false, .penetration = false});
   const List<SnapshotContact>& contacts = run.snapshots[smallest].contacts;
-  render::TextStyle style = page.tick();
+  TextStyle style = page.tick();
   for (int j = 0; j < contacts.size(); ++j) {
     const Point at = camera.project(contacts[j].position);
     const bool is_met = meet(A, active, j);
@@ -61,7 +42,7 @@ void draw_met(Page& page, const Rect& rect, const StoredRun& run, const Eigen::M
     // The two points of an overlap have their numbers between them, in the upper and in the lower box.
     const bool is_left = j % 2 == 0;
     const bool is_above = is_left || problem.rows[j].a == ground;
-    style.align = is_left ? render::Align::left : render::Align::right;
+    style.align = is_left ? Align::left : Align::right;
     const Point beside(at.x() + (is_left ? 8 : -8), at.y() + (is_above ? -7 : 7 + 0.8 * style.size));
     page.canvas().text(beside, fmt::format("{}", j + 1), style);
   }
@@ -72,27 +53,26 @@ std::string body_name(BodyId body) {
 }
 
 void draw_row(Page& page, const StoredRun& run, int active) {
-  const List<Rect> halves = columns(page.area(), {0.44, 0.56}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.74, 0.26}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {{0.44, {0.74, 0.26}}, 0.56});
   const VelocityProblem<double>& problem = run.problems[smallest];
   const Eigen::MatrixXd A = system_matrices(problem).A;
-  draw_met(page, left[0], run, A, active);
+  draw_met(page, parts[0], run, A, active);
   const ConstraintRow<double>& row = problem.rows[active];
   int met = 0;
   for (int j = 0; j < problem.row_count(); ++j) met += meet(A, active, j);
-  page.note(left[1], "",
+  page.note(parts[1], "",
             fmt::format("Row {}: {} and {}. A push here changes the closing speed of {} of the {} contacts: "
                         "its own, and those on the same boxes. All other entries in this row of A are 0.",
                         active + 1, body_name(row.a), body_name(row.b), met, problem.row_count()));
-  render::MatrixView view{
+  MatrixView view{
       .title = "A, base 3: red > 0, blue < 0", .values = A, .active_row = active, .numbers = false};
   for (int j = 1; j <= problem.row_count(); ++j) view.row_names.push_back(fmt::format("{}", j));
   view.column_names = view.row_names;
-  draw_matrix(page, halves[1], view);
+  draw_matrix(page, parts[2], view);
 }
 
 /// Dark: in A. Grey, as all that does nothing: zero in A, and counted by (30).
-render::Color colour_of(const render::Theme& theme, Entry entry) {
+Color colour_of(const Theme& theme, Entry entry) {
   return entry == Entry::printed_only ? theme.inactive : theme.outline;
 }
 
@@ -109,11 +89,11 @@ void draw_colours(Page& page, Point at, const Point& pitch) {
 }
 
 void draw_patterns(Page& page, const StoredRun& run) {
-  const List<Rect> bands = rows(page.area(), {0.66, 0.26, 0.08}, page.sizes().gap);
+  const List<Rect> bands = in_rows(page, {0.66, 0.26, 0.08});
   for (const int which : {0, 1, 2}) {
-    draw_pattern(page, columns(bands[0], {1, 1, 1}, page.sizes().gap)[which], run.pyramids[which],
+    draw_pattern(page, in_columns(page, bands[0], {1, 1, 1})[which], run.pyramids[which],
                  run.problems[which]);
-    draw_pyramid(page, columns(bands[1], {1, 1, 1}, page.sizes().gap)[which], run, which);
+    draw_pyramid(page, in_columns(page, bands[1], {1, 1, 1})[which], run, which);
   }
   const Rect key = page.panel(bands[2], "");
   draw_colours(page, {key.x, key.y - 4}, {0.4 * key.width, 0});
@@ -146,9 +126,9 @@ void draw_strip(Page& page, const Rect& rect, const VelocityProblem<double>& pro
   if (asked) {
     const Rect strip{inside.x, inside.y + 0.2 * inside.height, inside.width, 0.6 * inside.height};
     draw_entries(page, strip, List<Entry>(m, Entry::zero), 0, m);
-    render::TextStyle style = page.label();
+    TextStyle style = page.label();
     style.size = 0.8 * strip.height;
-    style.align = render::Align::center;
+    style.align = Align::center;
     page.canvas().text({strip.x + strip.width / 2, strip.y + 0.78 * strip.height}, "?", style);
     return;
   }
@@ -164,7 +144,7 @@ void draw_strip(Page& page, const Rect& rect, const VelocityProblem<double>& pro
 
 /// The largest A with its middle row lit, and that row below it.
 void draw_largest(Page& page, const Rect& rect, const StoredRun& run) {
-  const List<Rect> parts = rows(rect, {0.76, 0.24}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, rect, {0.76, 0.24});
   const Rect matrix = draw_pattern(page, parts[0], run.pyramids[largest], run.problems[largest]);
   const double middle = matrix.y + matrix.height / 2;
   page.canvas().line({matrix.x - 8, middle}, {matrix.x + matrix.width + 8, middle},
@@ -175,7 +155,7 @@ void draw_largest(Page& page, const Rect& rect, const StoredRun& run) {
 }
 
 void draw_counts(Page& page, const Rect& rect, const StoredRun& run) {
-  render::TableView table{.header = {"", "full A", "not zero", "per row"}, .active_row = largest};
+  TableView table{.header = {"", "full A", "not zero", "per row"}, .active_row = largest};
   for (const Count& count : run.pyramids) {
     table.rows.push_back({count.name, spaced(count.dense), spaced(count.non_zeros),
                           fmt::format("{:.1f}", count.non_zeros / count.rows)});
@@ -183,33 +163,33 @@ void draw_counts(Page& page, const Rect& rect, const StoredRun& run) {
   page.table(rect, "", table);
 }
 
-Shot row_shot(const Run& run, int row) {
-  return {.state = fmt::format("row {} of {}", row + 1, run->problems[smallest].row_count()),
+Shot row_shot(const StoredRun& run, int row) {
+  return {.state = fmt::format("row {} of {}", row + 1, run.problems[smallest].row_count()),
           .alt = fmt::format("A pyramid of six boxes: contact {} is lit with all contacts on the same boxes; "
                              "beside it A as a heat map with row {} framed.",
                              row + 1, row + 1),
-          .draw = [run, row](Page& page) { draw_row(page, *run, row); },
+          .draw = [&run, row](Page& page) { draw_row(page, run, row); },
           .key = row == 0 || row == 8};
 }
 
-QuestionFrame question_frame(const Run& run) {
-  return {.state = run->pyramids[largest].name,
+QuestionFrame question_frame(const StoredRun& run) {
+  return {.state = run.pyramids[largest].name,
           .alt = "A large pyramid of boxes, an empty strip for one row of its A, and the question.",
-          .scene = [run](Page& page, const Rect& rect) {
-            const List<Rect> parts = rows(rect, {0.8, 0.2}, page.sizes().gap);
-            draw_pyramid(page, parts[0], *run, largest);
-            draw_strip(page, parts[1], run->problems[largest], true);
+          .scene = [&run](Page& page, const Rect& rect) {
+            const List<Rect> parts = in_rows(page, rect, {0.8, 0.2});
+            draw_pyramid(page, parts[0], run, largest);
+            draw_strip(page, parts[1], run.problems[largest], true);
           }};
 }
 
-QuestionFrame answer_frame(const Run& run) {
-  return {.state = run->pyramids[largest].name,
+QuestionFrame answer_frame(const StoredRun& run) {
+  return {.state = run.pyramids[largest].name,
           .alt = fmt::format(
               "The pattern of A for {:g} rows, a thin band; one of its rows, and a piece of it enlarged; the "
               "counts for four pyramids; and the answer.",
-              run->pyramids[largest].rows),
-          .scene = [run](Page& page, const Rect& rect) { draw_largest(page, rect, *run); },
-          .evidence = [run](Page& page, const Rect& rect) { draw_counts(page, rect, *run); }};
+              run.pyramids[largest].rows),
+          .scene = [&run](Page& page, const Rect& rect) { draw_largest(page, rect, run); },
+          .evidence = [&run](Page& page, const Rect& rect) { draw_counts(page, rect, run); }};
 }
 
 }  // namespace
@@ -237,19 +217,17 @@ Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const Veloci
   return square;
 }
 
-List<Shot> stored_shots(const StoredRun& recorded) {
-  const Run run = std::make_shared<const StoredRun>(recorded);
+List<Shot> stored_shots(const StoredRun& run) {
   List<Shot> shots = {question_shot(card(), question_frame(run))};
-  for (int row = 0; row < run->problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
-  shots.push_back({.state = "three patterns",
-                   .alt = "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
-                          "thinner, and a grey block that only equation 30 counts.",
-                   .draw = [run](Page& page) { draw_patterns(page, *run); },
-                   .key = true});
+  for (int row = 0; row < run.problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
+  shots.push_back(key_shot(run, "three patterns",
+                           "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
+                           "thinner, and a grey block that only equation 30 counts.",
+                           draw_patterns));
   for (const List<Shot>& part : {case_shots(run), cost_shots(run)}) {
     shots.insert(shots.end(), part.begin(), part.end());
   }
-  const Count& count = run->pyramids[largest];
+  const Count& count = run.pyramids[largest];
   shots.push_back(answer_shot(
       card(), answer_frame(run),
       fmt::format("{:.1f} of {:g}, and never more than 14. Without its zeros, A grows like m, as SI does.",

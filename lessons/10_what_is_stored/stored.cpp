@@ -1,10 +1,5 @@
 // The scenes, the three pairs, and counts by formula.
-#include "stored.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
 #include "solvers/body_rows.hpp"
 
@@ -165,13 +160,6 @@ List<List<Entry>> pattern(const VelocityProblem<double>& problem) {
     }
   }
   return result;
-}
-
-std::string spaced(double number) {
-  std::string text = fmt::format("{:.0f}", number);
-  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
-    text.insert(static_cast<std::size_t>(at), "\u00a0");
-  return text;
 }
 
 std::string bytes_text(double bytes) {

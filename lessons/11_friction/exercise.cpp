@@ -1,7 +1,7 @@
 // Exercise 11. One sweep over a block that slides on two corners. Then: bash lessons/run check 11
 #include <algorithm>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise11 {
 

@@ -1,16 +1,7 @@
 // Lesson 11. Forces on the block, drawn upon the slope.
-#include "forces.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include "math/list.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
-
-using namespace render;
 
 namespace {
 
@@ -44,7 +35,7 @@ Vec2<double> contact_force(const Snapshot& snapshot) {
 }
 
 /// An arrow whose label stands at its tip: beside the middle it would stand upon the block.
-void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const Arrow& arrow,
+void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const render::Arrow& arrow,
                 const std::string& text) {
   draw_arrow(page, camera, scale, arrow);
   const Point tip =

@@ -4,16 +4,7 @@
 // pushes, and one along the surface, which stops the sliding if mu times what the normal row gives is enough.
 // How much that is, is not known before the solve. So the bound is looked up whenever the row is visited, and
 // whether the block sticks or slides is decided by a clamp.
-#include "lessons/lesson.hpp"
-
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/page.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
 
@@ -101,7 +92,7 @@ void run(Lesson& lesson) {
   lesson.answer({std::abs(first_force(study, lower_tangent))}, 0.1,
                 fmt::format("Friction turns the block onto its lower corner. Its λ_n is half of load plus "
                             "friction, ({} + {})/2 N, and μ times that is its bound.",
-                            render::fixed(law.load, 2), render::fixed(law.given(), 2)));
+                            fixed(law.load, 2), fixed(law.given(), 2)));
   check_study(lesson, study);
   lesson.data(table_of(study));
   lesson.fingerprint(study.slippery.frames.back());

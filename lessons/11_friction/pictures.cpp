@@ -1,23 +1,11 @@
 // Lesson 11. Forces: what is needed, what is allowed, and how the bounds move within a step.
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "forces.hpp"
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/bars.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
 
 namespace {
 
-using namespace render;
-
-Bar named_bar(const std::string& name, double before, double added) {
+render::Bar named_bar(const std::string& name, double before, double added) {
   return {.name = name + " " + fixed(before + added, 2), .before = before, .added = added};
 }
 
@@ -74,9 +62,8 @@ void draw_moving_bound(Page& page, const Rect& rect, const Study& study) {
                      .style = {.color = page.theme().friction, .dash = {}, .marker = Marker::circle}};
   for (int sweep = 1; sweep < std::min(study.by_hand.size(), 13); ++sweep) {
     const PerRow<double>& impulse = study.by_hand[sweep];
-    for (Series* series : {&bound, &friction}) series->x.push_back(sweep);
-    bound.y.push_back(-study.settings.slippery * impulse[upper_normal] / study.settings.slope.dt);
-    friction.y.push_back(impulse[upper_tangent] / study.settings.slope.dt);
+    bound.add(sweep, -study.settings.slippery * impulse[upper_normal] / study.settings.slope.dt);
+    friction.add(sweep, impulse[upper_tangent] / study.settings.slope.dt);
   }
   draw_plot(page, rect,
             {.title = "upper corner: λ_{t} and its bound (N)",
@@ -90,7 +77,7 @@ void draw_corner_bars(Page& page, const Rect& rect, const Study& study) {
   for (const auto& [name, row] : {std::pair("upper", upper_tangent), std::pair("lower", lower_tangent)})
     chart.bars.push_back(named_bar(name, 0, std::abs(first_force(study, row))));
   const double half = coulomb(study.slippery.slope, study.slippery.block).given() / 2;
-  const BarPlaces places = draw_bars(page, rect, chart);
+  const render::BarPlaces places = draw_bars(page, rect, chart);
   const double x = places.plot.x + places.plot.width * (half - places.low) / (places.high - places.low);
   page.canvas().line({x, places.rows.y}, {x, places.rows.y + places.rows.height},
                      {.width = 3, .color = page.theme().exact.color});
@@ -99,16 +86,16 @@ void draw_corner_bars(Page& page, const Rect& rect, const Study& study) {
                      text);
 }
 
-QuestionFrame corner_frame(const SharedStudy& study, Corners corners) {
-  return {.state = state_of(study->slippery),
-          .scene = [study, corners](Page& page,
-                                    const Rect& rect) { draw_corners(page, rect, study->slippery, corners); },
-          .evidence = [study](Page& page, const Rect& rect) { draw_corner_bars(page, rect, *study); }};
+QuestionFrame corner_frame(const Study& study, Corners corners) {
+  return {.state = state_of(study.slippery),
+          .scene = [&study, corners](Page& page,
+                                     const Rect& rect) { draw_corners(page, rect, study.slippery, corners); },
+          .evidence = [&study](Page& page, const Rect& rect) { draw_corner_bars(page, rect, study); }};
 }
 
 /// The block at rest, or about to slide: needed and limit.
-Shot force_shot(const SharedStudy& study, bool rough) {
-  const Slide& slide = rough ? study->rough : study->slippery;
+Shot force_shot(const Study& study, bool rough) {
+  const Slide& slide = rough ? study.rough : study.slippery;
   const Coulomb law = coulomb(slide.slope, slide.block);
   return {.state = state_of(slide),
           .alt = fmt::format("A block on a slope with the pull down the slope, {} N, the normal force {} N "
@@ -116,37 +103,35 @@ Shot force_shot(const SharedStudy& study, bool rough) {
                              fixed(law.needed, 2), fixed(law.load, 2), fixed(law.given(), 2),
                              fixed(law.limit, 2)),
           .draw =
-              [study, rough](Page& page) {
-                const Slide& shown = rough ? study->rough : study->slippery;
-                const List<Rect> halves = columns(page.area(), {50, 50}, page.sizes().gap);
-                const List<Rect> right = rows(halves[1], {50, 50}, page.sizes().gap);
-                draw_forces(page, halves[0], shown);
-                draw_bars(page, right[0], force_bars(page, *study, shown));
-                page.equation(right[1], limit_equation(shown));
+              [&study, rough](Page& page) {
+                const Slide& shown = rough ? study.rough : study.slippery;
+                const List<Rect> parts = in_columns(page, {50, {50, {50, 50}}});
+                draw_forces(page, parts[0], shown);
+                draw_bars(page, parts[1], force_bars(page, study, shown));
+                page.equation(parts[2], limit_equation(shown));
               },
           .key = true};
 }
 
 /// The first step, sweep by sweep: bounds that move.
-Shot sweep_shot(const SharedStudy& study) {
+Shot sweep_shot(const Study& study) {
   return {
       .state = "first step, sweep by sweep",
       .alt =
           "A table: in each sweep the normal impulses of both corners change, and with them the bounds of "
           "the friction rows beside them. Below it λ_t of the upper corner meets its bound in sweep 4.",
       .draw =
-          [study](Page& page) {
-            const List<Rect> parts = rows(page.area(), {52, 48}, page.sizes().gap);
-            page.table(parts[0], "λ of the two corners (N); λ_{t} is negative uphill", sweep_table(*study));
-            draw_moving_bound(page, parts[1], *study);
+          [&study](Page& page) {
+            const List<Rect> parts = in_rows(page, {52, 48});
+            page.table(parts[0], "λ of the two corners (N); λ_{t} is negative uphill", sweep_table(study));
+            draw_moving_bound(page, parts[1], study);
           },
       .key = true};
 }
 
 }  // namespace
 
-List<Shot> pictures(const Study& recorded) {
-  const SharedStudy study = std::make_shared<const Study>(recorded);
+List<Shot> pictures(const Study& study) {
   QuestionFrame asked = corner_frame(study, Corners::asked);
   asked.alt =
       "A block on a slope of 30 degrees, a friction force of unknown size at each of its two corners, and "
@@ -159,8 +144,8 @@ List<Shot> pictures(const Study& recorded) {
   const std::string answer = fmt::format(
       "{} N. Friction turns the block onto its lower corner, which carries {} of the {}\u00a0N. Its bound is "
       "μ times that.",
-      fixed(std::abs(first_force(*study, lower_tangent)), 2), fixed(first_force(*study, lower_normal), 2),
-      fixed(coulomb(study->slippery.slope, study->slippery.block).load, 2));
+      fixed(std::abs(first_force(study, lower_tangent)), 2), fixed(first_force(study, lower_normal), 2),
+      fixed(coulomb(study.slippery.slope, study.slippery.block).load, 2));
   QuestionFrame answered = corner_frame(study, Corners::solved);
   answered.alt = "The same block with the load and the friction of each corner on one scale. " + answer;
   shots.push_back(answer_shot(card(), answered, answer));

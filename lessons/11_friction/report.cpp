@@ -1,18 +1,7 @@
 // Lesson 11. What is printed, and what is checked.
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
-
-using render::fixed;
-using render::significant;
 
 namespace {
 
@@ -40,7 +29,7 @@ void check_by_hand(Lesson& lesson, const Study& study) {
   // Four rows a sweep, each rounded a few times, of forces below the weight of 1 kg.
   const double updates = 4.0 * study.by_hand.size();
   lesson.check_small("the first step, row by row by hand: the λ of the library's solver (N)", gap,
-                     4 * std::numeric_limits<double>::epsilon() * updates * study.settings.slope.gravity);
+                     4 * epsilon * updates * study.settings.slope.gravity);
 }
 
 void check_motion(Lesson& lesson, const Study& study) {
@@ -63,12 +52,11 @@ void check_motion(Lesson& lesson, const Study& study) {
 
 void check_bounds(Lesson& lesson, const Study& study) {
   const Slope& slope = study.settings.slope;
-  const double ulp = std::numeric_limits<double>::epsilon();
   const double cone = std::max({study.slippery.worst_cone, study.rough.worst_cone, study.heavy.worst_cone});
   const double limit =
       std::max(1.0, study.settings.mass) * slope.gravity;  // [N] the weight bounds every force
   lesson.check_small("|λ_t| − μ λ_n of every row in every step is never above 0 (N)", std::max(0.0, cone),
-                     4 * ulp * limit);
+                     4 * epsilon * limit);
   const double power =
       std::max({study.slippery.largest_power, study.rough.largest_power, study.heavy.largest_power});
   lesson.check_small("friction never drives: its largest power is not above 0 (W)", std::max(0.0, power),
@@ -146,11 +134,7 @@ void tell_sweeps(Lesson& lesson, const Study& study) {
                           fixed(impulse[2 * point + 1] / slope.dt, 3));
     }
     const bool shown = sweep <= 5 || sweep == 10 || sweep == slope.sweeps;
-    if (shown) {
-      lesson.print(line);
-    } else {
-      lesson.detail(line);
-    }
+    shown ? lesson.print(line) : lesson.detail(line);
   }
 }
 
@@ -191,20 +175,9 @@ CsvTable table_of(const Study& study) {
   for (const Slide* slide : {&study.slippery, &study.rough, &study.heavy}) {
     const double acceleration = coulomb(slide->slope, slide->block).acceleration;
     for (int k = 0; k < slide->time.size(); ++k) {
-      List<CsvCell> row;
-      row.emplace_back(slide->block.friction);
-      row.emplace_back(slide->block.mass);
-      row.emplace_back(k);
-      for (const double number :
-           {slide->time[k], slide->speed[k], slide->way[k], acceleration * slide->time[k]}) {
-        row.emplace_back(number);
-      }
-      if (slide->box2d_speed.empty()) {
-        row.emplace_back(std::string());
-      } else {
-        row.emplace_back(slide->box2d_speed[k]);
-      }
-      table.rows.push_back(std::move(row));
+      const CsvCell box2d = slide->box2d_speed.empty() ? CsvCell("") : slide->box2d_speed[k];
+      table.rows.push_back({slide->block.friction, slide->block.mass, k, slide->time[k], slide->speed[k],
+                            slide->way[k], acceleration * slide->time[k], box2d});
     }
   }
   return table;

@@ -1,8 +1,5 @@
 // Lesson 11. The same slope in Box2D, where this build has it.
-#include <stdexcept>
-
-#include "math/list.hpp"
-#include "slope.hpp"
+#include "lesson.hpp"
 
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"

@@ -1,20 +1,9 @@
 // Lesson 11. The slide in two engines, the four slopes, and the acceleration over the angle.
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::friction {
 
 namespace {
-
-using namespace render;
 
 /// One engine's block with its earlier outlines and its velocity, under a bar in the engine's colour.
 void draw_engine(Page& page, const Rect& rect, const std::string& name, const SeriesStyle& style,
@@ -40,8 +29,7 @@ void draw_engine(Page& page, const Rect& rect, const std::string& name, const Se
   draw_arrow(page, camera,
              {.pixels_per_unit = 1.2 * camera.scale / fastest, .longest = 2 * camera.scale, .unit = "m/s"},
              {.kind = ArrowKind::velocity, .tail = block.pose.position, .value = velocity});
-  TextStyle value = page.value();
-  value.align = Align::right;
+  TextStyle value = aligned(page.value(), Align::right);
   const double speed = slope.downhill().dot(velocity);
   page.canvas().text({inside.x + inside.width, inside.y + value.size}, fixed(speed, 3) + " m/s", value);
 }
@@ -65,9 +53,8 @@ void draw_speed_error(Page& page, const Rect& rect, const Slide& slide, int step
 
 void draw_slide(Page& page, const Slide& slide, int step) {
   const bool both = !slide.box2d_frames.empty();
-  const double gap = page.sizes().gap;
-  const List<Rect> halves = rows(page.area(), {60, 40}, gap);
-  const List<Rect> engines = columns(halves[0], {50, 50}, gap);
+  const List<Rect> halves = in_rows(page, {60, 40});
+  const List<Rect> engines = in_columns(page, halves[0], {50, 50});
   draw_engine(page, both ? engines[0] : halves[0], "Cairn, sequential impulses", page.theme().si,
               slide.frames, slide, step);
   if (both) {
@@ -123,8 +110,7 @@ Series formula_series(const Study& study, const Curve& curve, const SeriesStyle&
         curve.degrees.front() + (curve.degrees.back() - curve.degrees.front()) * i / points;
     Slope slope = study.settings.slope;
     slope.angle = degrees * pi / 180;
-    series.x.push_back(degrees);
-    series.y.push_back(coulomb(slope, {.friction = curve.friction}).acceleration);
+    series.add(degrees, coulomb(slope, {.friction = curve.friction}).acceleration);
   }
   return series;
 }
@@ -141,8 +127,7 @@ Plot curve_plot(const Page& page, const Study& study) {
     plot.series.push_back(formula_series(study, curve, thin));
     for (int i = 0; i < curve.degrees.size(); ++i) {
       const bool other = i % 2 == 1 && !curve.box2d.empty();
-      (other ? box2d : cairn).x.push_back(curve.degrees[i]);
-      (other ? box2d : cairn).y.push_back(other ? curve.box2d[i] : curve.cairn[i]);
+      (other ? box2d : cairn).add(curve.degrees[i], other ? curve.box2d[i] : curve.cairn[i]);
     }
   }
   plot.series.push_back(cairn);
@@ -168,8 +153,8 @@ TableView threshold_table(const Study& study) {
 }
 
 /// The slippery block after `step` steps, in Cairn and in Box2D, and its speed over time.
-Shot slide_shot(const SharedStudy& study, int step) {
-  const Slide& slide = study->slippery;
+Shot slide_shot(const Study& study, int step) {
+  const Slide& slide = study.slippery;
   const int steps = slide.slope.steps;
   Shot shot;
   shot.key = step == steps;
@@ -178,57 +163,57 @@ Shot slide_shot(const SharedStudy& study, int step) {
       "After {} s the block slides at {} m/s in Cairn{}; below, how far both are from the exact speed.",
       fixed(slide.time[step], 2), fixed(slide.speed[step], 3),
       slide.box2d_speed.empty() ? "" : " and at " + fixed(slide.box2d_speed[step], 3) + " in Box2D");
-  shot.draw = [study, step](Page& page) { draw_slide(page, study->slippery, step); };
+  shot.draw = [&study, step](Page& page) { draw_slide(page, study.slippery, step); };
   return shot;
 }
 
 /// Both blocks on four slopes.
-Shot trial_shot(const SharedStudy& study) {
+Shot trial_shot(const Study& study) {
   Shot shot;
   shot.key = true;
-  const double time = study->settings.slope.steps * study->settings.slope.dt;
+  const double time = study.settings.slope.steps * study.settings.slope.dt;
   shot.state = "after " + significant(time) + " s";
   shot.alt = "Four slopes, each with a rough and a slippery block:";
-  for (const Trial& trial : study->trials) {
+  for (const Trial& trial : study.trials) {
     shot.alt += fmt::format(" at {}° the rough one {} and the slippery one {};", fixed(trial.degrees, 0),
                             outcome(trial.contest.ways[0]), outcome(trial.contest.ways[1]));
   }
-  shot.draw = [study](Page& page) {
-    const List<Rect> halves = rows(page.area(), {50, 50}, page.sizes().gap);
-    for (int i = 0; i < study->trials.size(); ++i) {
-      const List<Rect> cells = columns(halves[i / 2], {50, 50}, page.sizes().gap);
-      draw_trial(page, cells[i % 2], *study, study->trials[i]);
+  shot.draw = [&study](Page& page) {
+    const List<Rect> halves = in_rows(page, {50, 50});
+    for (int i = 0; i < study.trials.size(); ++i) {
+      const List<Rect> cells = in_columns(page, halves[i / 2], {50, 50});
+      draw_trial(page, cells[i % 2], study, study.trials[i]);
     }
   };
   return shot;
 }
 
 /// Acceleration over the angle.
-Shot curve_shot(const SharedStudy& study) {
+Shot curve_shot(const Study& study) {
   Shot shot;
   shot.key = true;
   shot.state = "holds, then slides";
   shot.alt =
       "Acceleration over the angle for both blocks: zero up to the critical angle, then along the formula; "
       "squares of Cairn and triangles of Box2D on the line.";
-  shot.draw = [study](Page& page) {
-    const List<Rect> parts = columns(page.area(), {62, 38}, page.sizes().gap);
-    draw_plot(page, parts[0], curve_plot(page, *study));
+  shot.draw = [&study](Page& page) {
+    const List<Rect> parts = in_columns(page, {62, 38});
+    draw_plot(page, parts[0], curve_plot(page, study));
     const Rect rest = page.card(
         parts[1], "what is drawn",
         has_box2d() ? "At every second angle the block ran in Cairn (squares), at the others in "
                       "Box2D (triangles). The lines are the formula, and 0 where friction is enough."
                     : "Squares are Cairn. The lines are the formula, and 0 where friction is enough.");
-    page.table(rest, "slides above (°)", threshold_table(*study));
+    page.table(rest, "slides above (°)", threshold_table(study));
   };
   return shot;
 }
 
 }  // namespace
 
-List<Shot> slide_shots(const SharedStudy& study) {
+List<Shot> slide_shots(const Study& study) {
   List<Shot> shots;
-  for (int step = 1; step <= study->settings.slope.steps; ++step) shots.push_back(slide_shot(study, step));
+  for (int step = 1; step <= study.settings.slope.steps; ++step) shots.push_back(slide_shot(study, step));
   shots.push_back(trial_shot(study));
   shots.push_back(curve_shot(study));
   return shots;

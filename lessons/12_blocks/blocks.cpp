@@ -1,13 +1,7 @@
 // The same problems for SequentialImpulse and for BlockSequentialImpulse.
-#include "blocks.hpp"
-
-#include <fmt/format.h>
+#include "lesson.hpp"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
-
-#include "measure/recorder.hpp"
 
 namespace cairn::blocks {
 

@@ -1,28 +1,15 @@
 // Three welded beams as sweeps go by, where blocks help, and the bars of the question.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::blocks {
 
 namespace {
 
-using render::Page;
-using render::Point;
-using render::Rect;
-
 const PerBody<Vec3<double>>& velocity_after(const ChainSolve& solve, int sweep) {
   return solve.velocity[std::min(sweep, solve.sweeps)];
 }
 
-void draw_wall(Page& page, const render::Camera& camera) {
+void draw_wall(Page& page, const Camera& camera) {
   const List<Point> wall = {camera.project({-0.2, -0.35}), camera.project({0, -0.35}),
                             camera.project({0, 0.35}), camera.project({-0.2, 0.35})};
   page.canvas().polygon(wall, {.fill = page.theme().static_body,
@@ -33,14 +20,14 @@ void draw_wall(Page& page, const render::Camera& camera) {
 
 /// The beams where their velocities after these sweeps would lead within a second; solved, they stay level.
 void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const ChainSolve& solve, int sweep,
-                const std::string& name, const render::SeriesStyle& style) {
+                const std::string& name, const SeriesStyle& style) {
   const int done = std::min(sweep, solve.sweeps);
   const double error = solve.error[done];
-  const Rect inside = page.panel(
-      rect, fmt::format("{}, error {} %: 1 s with the velocities left after {} sweep{}", name,
-                        render::fixed(100 * error, error < 0.02 ? 1 : 0), done, done == 1 ? "" : "s"));
+  const Rect inside =
+      page.panel(rect, fmt::format("{}, error {} %: 1 s with the velocities left after {} sweep{}", name,
+                                   fixed(100 * error, error < 0.02 ? 1 : 0), done, done == 1 ? "" : "s"));
   page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
-  const render::Camera camera = render::fit(inside, {{-0.25, -0.62}, {3.15, 0.38}});
+  const Camera camera = fit(inside, {{-0.25, -0.62}, {3.15, 0.38}});
   page.canvas().push_clip(inside);
   draw_wall(page, camera);
   draw_ghosts(page, camera, List<Snapshot>{chain.start});
@@ -52,22 +39,19 @@ void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const Chain
     moved.bodies[body].pose.position += v.head<2>();
     moved.bodies[body].pose.angle += v.z();
   }
-  render::WorldLook look;
-  look.contacts = false;
-  look.penetration = false;
-  draw_world(page, camera, moved, look);
+  draw_world(page, camera, moved, {.contacts = false, .penetration = false});
   page.canvas().pop_clip();
   const Pose<double>& last = moved.bodies[{moved.bodies.size() - 1}].pose;
   const double drop = -last.position.y() - beam_length / 2 * std::sin(last.angle);
   page.canvas().text({inside.x, inside.y + inside.height - 6},
-                     fmt::format("the far end hangs {} m lower", render::fixed(drop + 0.0, 2)), page.label());
+                     fmt::format("the far end hangs {} m lower", fixed(drop + 0.0, 2)), page.label());
 }
 
 void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep) {
-  render::Plot plot{.title = "largest error of λ, as a part of the largest λ (moments in N m, forces in N)"};
+  Plot plot{.title = "largest error of λ, as a part of the largest λ (moments in N m, forces in N)"};
   plot.x = {.title = "sweep", .min = 0, .max = 1.1 * chain.rows.sweeps};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.003, .max = 2};
-  const auto add = [&](const std::string& name, const ChainSolve& solve, const render::SeriesStyle& style) {
+  plot.y = {.scale = AxisScale::logarithmic, .min = 0.003, .max = 2};
+  const auto add = [&](const std::string& name, const ChainSolve& solve, const SeriesStyle& style) {
     plot.series.push_back(over_steps(name, style, solve.error));
     plot.labels.push_back({0.98 * solve.sweeps, 0.6 * goal, fmt::format("{} sweeps", solve.sweeps)});
   };
@@ -79,25 +63,23 @@ void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep)
 }
 
 void draw_chain(Page& page, const ChainRun& chain, int sweep) {
-  const List<Rect> parts = rows(page.area(), {0.46, 0.54}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_beams(page, top[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
-  draw_beams(page, top[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
-  draw_errors(page, parts[1], chain, sweep);
+  const List<Rect> parts = in_rows(page, {{0.46, {0.5, 0.5}}, 0.54});
+  draw_beams(page, parts[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
+  draw_beams(page, parts[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
+  draw_errors(page, parts[2], chain, sweep);
 }
 
 /// One entry of A with its number: in the blocks' colour where a block settles it.
 void draw_entry(Page& page, const Rect& cell, double value, bool in_block) {
-  const render::Color color = in_block ? style_of_blocks(page).color : page.theme().inactive;
+  const Color color = in_block ? style_of_blocks(page).color : page.theme().inactive;
   page.canvas().rect(cell, {.fill = value == 0 ? page.theme().panel : faded(color, 0.3),
                             .outline = page.theme().grid,
                             .outline_width = 1});
-  render::TextStyle text = page.value();
+  TextStyle text = page.value();
   text.size = 0.26 * cell.height;
-  text.align = render::Align::center;
+  text.align = Align::center;
   if (value != 0)
-    page.canvas().text({cell.x + cell.width / 2, cell.y + 0.6 * cell.height}, render::significant(value, 3),
-                       text);
+    page.canvas().text({cell.x + cell.width / 2, cell.y + 0.6 * cell.height}, significant(value, 3), text);
 }
 
 /// A of three beams: what a block settles stands in the frames on the diagonal, what it cannot beside them.
@@ -120,26 +102,25 @@ void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
 }
 
 void draw_table(Page& page, const BlocksRuns& all) {
-  const List<Rect> halves = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.58, 0.42}, page.sizes().gap);
-  render::TableView table{.header = {"sweeps to 1 %", "rows", "blocks", "work"}};
+  const List<Rect> parts = in_columns(page, {{0.48, {0.58, 0.42}}, 0.52});
+  TableView table{.header = {"sweeps to 1 %", "rows", "blocks", "work"}};
   for (const ChainRun& chain : all.chains) {
     const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
     table.rows.push_back({chain.name, fmt::format("{}", chain.rows.sweeps),
-                          fmt::format("{}", chain.blocks.sweeps), render::fixed(ratio, 2)});
+                          fmt::format("{}", chain.blocks.sweeps), fixed(ratio, 2)});
   }
-  page.table(left[0], "work: multiply-adds of blocks / of rows", table);
-  page.note(left[1], "Where blocks help",
+  page.table(parts[0], "work: multiply-adds of blocks / of rows", table);
+  page.note(parts[1], "Where blocks help",
             "A block settles its square on the diagonal at once. Here only the first square has rows that "
             "couple. All else is between the joints, and takes its sweeps.");
-  draw_system(page, halves[1], all.chains[welded_three]);
+  draw_system(page, parts[2], all.chains[welded_three]);
 }
 
 }  // namespace
 
 void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
   const Rect inside = page.panel(rect, "each welded to the one before, and the first to a wall");
-  const render::Camera camera = render::fit(inside, {{-0.25, -0.4}, {3.15, 0.4}});
+  const Camera camera = fit(inside, {{-0.25, -0.4}, {3.15, 0.4}});
   draw_wall(page, camera);
   Snapshot start = chain.start;
   start.joints.clear();
@@ -149,10 +130,10 @@ void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked) {
   const Rect inside = page.panel(rect, "sweeps to 1 %: with blocks, of those row by row");
   const double pitch = inside.height / (welded_three + 1);
-  render::TextStyle text = page.value(), name = page.label();
+  TextStyle text = page.value(), name = page.label();
   text.size *= 1.2;
   name.size = text.size;
-  text.align = render::Align::right;
+  text.align = Align::right;
   for (int chain = welded_one; chain <= welded_three; ++chain) {
     const int rows = all.chains[chain].rows.sweeps, blocks = all.chains[chain].blocks.sweeps;
     const bool hidden = asked && chain == welded_three;
@@ -160,11 +141,11 @@ void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool a
     const Rect bar = {inside.x, middle, inside.width, 0.4 * pitch};
     page.canvas().text({inside.x, middle - 10}, fmt::format("{} beam{}", chain + 1, chain == 0 ? "" : "s"),
                        name);
-    page.canvas().text({inside.x + inside.width, middle - 10},
-                       hidden ? fmt::format("? of {} = ? %", rows)
-                              : fmt::format("{} of {} = {} %", blocks, rows,
-                                            render::fixed(share_left(all.chains[chain]), 0)),
-                       text);
+    page.canvas().text(
+        {inside.x + inside.width, middle - 10},
+        hidden ? fmt::format("? of {} = ? %", rows)
+               : fmt::format("{} of {} = {} %", blocks, rows, fixed(share_left(all.chains[chain]), 0)),
+        text);
     page.canvas().rect(bar, {.fill = faded(style_of_rows(page).color, 0.35)});
     if (hidden) continue;
     page.canvas().rect({bar.x, bar.y, bar.width * share_left(all.chains[chain]) / 100, bar.height},
@@ -172,8 +153,8 @@ void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool a
   }
 }
 
-List<Shot> chain_shots(const Runs& all) {
-  const ChainRun& chain = all->chains[welded_three];
+List<Shot> chain_shots(const BlocksRuns& all) {
+  const ChainRun& chain = all.chains[welded_three];
   std::set<int> sweeps = {1, 2, 5, 10, 20, 50, 100, 200};
   sweeps.insert({chain.blocks.sweeps, chain.rows.sweeps});
   List<Shot> shots;
@@ -186,15 +167,14 @@ List<Shot> chain_shots(const Runs& all) {
          .alt = fmt::format("Three welded beams after {} sweeps: the largest error is {:.1f} % row by "
                             "row and {:.1f} % with blocks.",
                             sweep, error(chain.rows), error(chain.blocks)),
-         .draw = [all, sweep](Page& page) { draw_chain(page, all->chains[welded_three], sweep); },
+         .draw = [&all, sweep](Page& page) { draw_chain(page, all.chains[welded_three], sweep); },
          .key = sweep == 10});
   }
   shots.push_back(
-      {.state = "B · all chains and a tower",
-       .alt = "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower; beside "
-              "it A of three welded beams with the square of each weld framed.",
-       .draw = [all](Page& page) { draw_table(page, *all); },
-       .key = true});
+      key_shot(all, "B · all chains and a tower",
+               "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower; beside "
+               "it A of three welded beams with the square of each weld framed.",
+               draw_table));
   return shots;
 }
 

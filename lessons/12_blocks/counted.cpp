@@ -1,12 +1,7 @@
 // What a block saves in each sweep, counted: velocity updates, inverses, and what contact and friction share.
-#include <fmt/format.h>
+#include "lesson.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
 
 namespace cairn::blocks {
 

@@ -1,5 +1,5 @@
 // Exercise 12. Solve both rows of a pin at once. Then: bash lessons/run check 12
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 #include "math/list.hpp"
 
 namespace cairn::exercise12 {

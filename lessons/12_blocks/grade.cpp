@@ -1,7 +1,4 @@
 // Exercise 12, graded: a rod of 2 kg on a pin in the ground, and a pin between bodies of 2 and 0.5 kg.
-#include <cmath>
-#include <limits>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise12 {

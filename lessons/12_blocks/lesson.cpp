@@ -4,17 +4,9 @@
 // next one spoils. Instead of dividing by A_ii, row after row, sequential impulses may solve with the small
 // square of A that belongs to the joint. The loop stays as it is; only the step in it grows from a number to
 // a block. Where does that save sweeps, where does it not, and where does it hold what rows cannot?
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
+#include "lesson.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
 
 namespace cairn::blocks {
 

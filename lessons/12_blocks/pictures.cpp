@@ -1,24 +1,9 @@
 // The rod, its pin's impulses in the plane of lambda_1 and lambda_2, and the way of both solvers through it.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::blocks {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 /// What a frame of scene A shows: the rod under these impulses, and the way to them.
 struct RodMoment {
@@ -39,21 +24,18 @@ RodMoment after_block(const RodRun& rod) {
 }
 
 /// And the weight, in the same scale, at x = `beside`.
-void draw_pin_force(Page& page, const render::Camera& camera, const Pair& lambda, double beside) {
-  const render::ArrowScale scale{
-      .pixels_per_unit = 0.13 * camera.scale, .longest = 1.5 * camera.scale, .unit = "N"};
+void draw_pin_force(Page& page, const Camera& camera, const Pair& lambda, double beside) {
+  const ArrowScale scale{.pixels_per_unit = 0.13 * camera.scale, .longest = 1.5 * camera.scale, .unit = "N"};
   for (const int row : {0, 1}) {
     if (!(lambda[row] > 0.05)) continue;
-    render::Arrow arrow{.kind = render::ArrowKind::joint,
+    render::Arrow arrow{.kind = ArrowKind::joint,
                         .label = fmt::format("λ_{{{}}} = {}", row + 1, fixed(lambda[row], 2))};
     arrow.value[row] = lambda[row];
     draw_arrow(page, camera, scale, arrow);
   }
-  draw_arrow(page, camera, scale,
-             {.kind = render::ArrowKind::external,
-              .tail = {beside, 1.2},
-              .value = {0, -gravity},
-              .label = "m g = 10"});
+  draw_arrow(
+      page, camera, scale,
+      {.kind = ArrowKind::external, .tail = {beside, 1.2}, .value = {0, -gravity}, .label = "m g = 10"});
 }
 
 void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
@@ -63,23 +45,18 @@ void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& 
   const double angle = rod.start.bodies[{1}].pose.angle;
   const Vec2<double> end = Vec2<double>(std::cos(angle), std::sin(angle)) * rod_length;
   const double beside = std::max(end.x(), 1.0) + 0.5;
-  const render::Camera camera =
-      render::fit(inside, {{-1.4, -0.7}, {beside + 0.3, std::max(end.y(), 1.3) + 0.1}});
+  const Camera camera = fit(inside, {{-1.4, -0.7}, {beside + 0.3, std::max(end.y(), 1.3) + 0.1}});
   page.canvas().push_clip(inside);
-  render::WorldLook look;
-  look.contacts = false;
-  look.numbers = false;
-  draw_world(page, camera, rod.start, look);
-  const render::ArrowScale speeds{
-      .pixels_per_unit = 3 * camera.scale, .longest = 0.7 * camera.scale, .unit = "m/s"};
+  draw_world(page, camera, rod.start, {.numbers = false, .contacts = false});
+  const ArrowScale speeds{.pixels_per_unit = 3 * camera.scale, .longest = 0.7 * camera.scale, .unit = "m/s"};
   if (moment.slip.norm() > 1e-6)
-    draw_arrow(page, camera, speeds, {.kind = render::ArrowKind::velocity, .value = moment.slip});
+    draw_arrow(page, camera, speeds, {.kind = ArrowKind::velocity, .value = moment.slip});
   draw_pin_force(page, camera, moment.lambda, beside);
   page.canvas().pop_clip();
 }
 
 /// Where row `i` is satisfied: A_i1 lambda_1 + A_i2 lambda_2 = b_i.
-void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, int i) {
+void draw_row_line(Page& page, const Camera& camera, const RodRun& rod, int i) {
   const Matrix<double>& A = rod.system.A;
   const Vec2<double> along = Vec2<double>(-A(i, 1), A(i, 0)).normalized() * 20;
   const Vec2<double> middle = {rod.formula[0], rod.formula[1]};
@@ -88,11 +65,11 @@ void draw_row_line(Page& page, const render::Camera& camera, const RodRun& rod, 
 }
 
 /// Which row each dashed line belongs to, at its end.
-void name_row_lines(Page& page, const render::Camera& camera, const RodRun& rod) {
+void name_row_lines(Page& page, const Camera& camera, const RodRun& rod) {
   const Matrix<double>& A = rod.system.A;
-  render::TextStyle text = page.label();
+  TextStyle text = page.label();
   text.halo = page.theme().panel;
-  text.align = render::Align::right;
+  text.align = Align::right;
   const double low = -0.9;
   Point at = camera.project({std::min((rod.system.b(0) - A(0, 1) * low) / A(0, 0), 0.0), low});
   page.canvas().text({at.x() - 8, at.y()}, "row 1", text);
@@ -102,29 +79,29 @@ void name_row_lines(Page& page, const render::Camera& camera, const RodRun& rod)
   page.canvas().text({at.x(), at.y() + 2.6 * text.size}, "row 2", text);
 }
 
-void draw_axes(Page& page, const render::Camera& camera, const RodRun& rod) {
-  const render::Stroke axis{.width = page.sizes().axis, .color = page.theme().outline};
+void draw_axes(Page& page, const Camera& camera, const RodRun& rod) {
+  const Stroke axis{.width = page.sizes().axis, .color = page.theme().outline};
   const Rect& view = camera.viewport;
   const Point origin = camera.project({0, 0});
   page.canvas().line({view.x, origin.y()}, {view.x + view.width, origin.y()}, axis);
   page.canvas().line({origin.x(), view.y}, {origin.x(), view.y + view.height}, axis);
   const Point exact = camera.project({rod.formula[0], rod.formula[1]});
-  const render::Stroke guide{.width = 1, .color = page.theme().secondary_text, .dash = {2, 4}};
+  const Stroke guide{.width = 1, .color = page.theme().secondary_text, .dash = {2, 4}};
   page.canvas().line(exact, {exact.x(), origin.y()}, guide);
   page.canvas().line(exact, {origin.x(), exact.y()}, guide);
-  render::TextStyle text = page.label();
+  TextStyle text = page.label();
   text.halo = page.theme().panel;
-  text.align = render::Align::center;
+  text.align = Align::center;
   page.canvas().text({exact.x(), origin.y() + text.size + 4}, fixed(rod.formula[0], 2), text);
-  text.align = render::Align::right;
+  text.align = Align::right;
   page.canvas().text({origin.x() - 6, exact.y() + 0.35 * text.size}, fixed(rod.formula[1], 2), text);
   page.canvas().text({view.x + view.width - 6, origin.y() - 8}, "λ_{1}", text);
-  text.align = render::Align::left;
+  text.align = Align::left;
   page.canvas().text({origin.x() + 8, view.y + text.size}, "λ_{2}", text);
 }
 
-void draw_way(Page& page, const render::Camera& camera, const RodMoment& moment) {
-  const render::SeriesStyle style = moment.block ? style_of_blocks(page) : style_of_rows(page);
+void draw_way(Page& page, const Camera& camera, const RodMoment& moment) {
+  const SeriesStyle style = moment.block ? style_of_blocks(page) : style_of_rows(page);
   List<Point> points;
   for (const Pair& stop : moment.way) points.push_back(camera.project({stop[0], stop[1]}));
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
@@ -134,8 +111,7 @@ void draw_way(Page& page, const render::Camera& camera, const RodMoment& moment)
 
 void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
   const Rect inside = page.panel(rect, "λ of the pin's two rows (N)");
-  const render::Camera camera =
-      render::fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.6, rod.formula[1] + 1.3}});
+  const Camera camera = fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.6, rod.formula[1] + 1.3}});
   page.canvas().push_clip(inside);
   draw_row_line(page, camera, rod, 0);
   draw_row_line(page, camera, rod, 1);
@@ -150,11 +126,10 @@ void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment
 
 /// Rod and plane; returns what is free below the rod.
 Rect draw_moment(Page& page, const RodRun& rod, const RodMoment& moment) {
-  const List<Rect> halves = columns(page.area(), {0.55, 0.45}, page.sizes().gap);
-  draw_plane(page, halves[1], rod, moment);
-  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
-  draw_rod(page, left[0], rod, moment);
-  return left[1];
+  const List<Rect> parts = in_columns(page, {{0.55, {0.6, 0.4}}, 0.45});
+  draw_plane(page, parts[2], rod, moment);
+  draw_rod(page, parts[0], rod, moment);
+  return parts[1];
 }
 
 void draw_update(Page& page, const BlocksRuns& all, int i) {
@@ -188,23 +163,21 @@ void draw_block(Page& page, const BlocksRuns& all) {
                         .color = style_of_blocks(page).color});
 }
 
-List<Shot> rod_shots(const Runs& all) {
+List<Shot> rod_shots(const BlocksRuns& all) {
   List<Shot> shots;
-  for (int i = 1; i < all->rod.updates.size(); ++i) {
-    const RodUpdate& update = all->rod.updates[i];
+  for (int i = 1; i < all.rod.updates.size(); ++i) {
+    const RodUpdate& update = all.rod.updates[i];
     shots.push_back({.state = fmt::format("A · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
                      .alt = fmt::format(
                          "Sweep {}, row {}: the impulses are {:.3f} and {:.3f} N; one more step "
                          "of the zig-zag, and the pinned end moves at {:.4f} m/s.",
                          update.sweep, update.row + 1, update.after[0], update.after[1], update.slip.norm()),
-                     .draw = [all, i](Page& page) { draw_update(page, *all, i); },
+                     .draw = [&all, i](Page& page) { draw_update(page, all, i); },
                      .key = i == 2 || i == 5});
   }
-  shots.push_back(
-      {.state = "A · the block · sweep 1",
-       .alt = "The block goes from zero to the answer in one step, beside the zig-zag of the rows.",
-       .draw = [all](Page& page) { draw_block(page, *all); },
-       .key = true});
+  shots.push_back(key_shot(
+      all, "A · the block · sweep 1",
+      "The block goes from zero to the answer in one step, beside the zig-zag of the rows.", draw_block));
   return shots;
 }
 
@@ -219,14 +192,13 @@ std::string answer_text(const BlocksRuns& all) {
 }
 
 /// What is known of the sweeps, beside the beams; in the answer all of it, beside the bob.
-QuestionFrame question_frame(const Runs& all, bool asked) {
-  const auto draw = [all, asked](Page& page, const Rect& rect) {
-    const List<double> weights = asked ? List<double>{0.6, 0.4} : List<double>{0.4, 0.3, 0.3};
-    const List<Rect> parts = columns(rect, weights, page.sizes().gap);
-    draw_sweep_bars(page, asked ? parts[1] : parts[0], *all, asked);
-    if (asked) return draw_start(page, parts[0], all->chains[welded_three]);
-    const int step = static_cast<int>(std::lround(0.8 / all->settings.dt));
-    draw_both_bobs(page, {parts[1], parts[2]}, *all, step);
+QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
+  const auto draw = [&all, asked](Page& page, const Rect& rect) {
+    const List<Rect> parts = in_columns(page, rect, asked ? List<Cut>{0.6, 0.4} : List<Cut>{0.4, 0.3, 0.3});
+    draw_sweep_bars(page, asked ? parts[1] : parts[0], all, asked);
+    if (asked) return draw_start(page, parts[0], all.chains[welded_three]);
+    const int step = static_cast<int>(std::lround(0.8 / all.settings.dt));
+    draw_both_bobs(page, {parts[1], parts[2]}, all, step);
   };
   return {.state = asked ? "before the first sweep" : "answer",
           .alt = asked ? "Three beams, each welded to the one before and the first to a wall, bars of sweeps "
@@ -240,15 +212,14 @@ QuestionFrame question_frame(const Runs& all, bool asked) {
 
 }  // namespace
 
-render::SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
-render::SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
+SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
+SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
 
-List<Shot> blocks_shots(const BlocksRuns& recorded) {
-  const Runs all = std::make_shared<const BlocksRuns>(recorded);
+List<Shot> blocks_shots(const BlocksRuns& all) {
   List<Shot> shots = {question_shot(card(), question_frame(all, true))};
   for (const List<Shot>& more : {rod_shots(all), chain_shots(all), bob_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
-  shots.push_back(answer_shot(card(), question_frame(all, false), answer_text(*all)));
+  shots.push_back(answer_shot(card(), question_frame(all, false), answer_text(all)));
   return shots;
 }
 

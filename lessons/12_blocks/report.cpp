@@ -1,21 +1,13 @@
 // Lesson 12. What is printed, and what is checked.
-#include <fmt/format.h>
+#include "lesson.hpp"
 
 #include <Eigen/Cholesky>
-
-#include <algorithm>
-#include <cmath>
-
-#include "parts.hpp"
 
 namespace cairn::blocks {
 
 namespace {
 
 const double epsilon = 2.3e-16;
-
-/// 0 where rounding has left a little less than nothing.
-double without_noise(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
 
 void print_rod(Lesson& lesson, const BlocksRuns& all) {
   const RodRun& rod = all.rod;
@@ -28,12 +20,8 @@ void print_rod(Lesson& lesson, const BlocksRuns& all) {
     const std::string line =
         fmt::format("  {:>5} {:>3} {:>8.4f} {:>+15.4f} {:>8.4f} {:>9.4f}   ({:>7.4f}, {:>7.4f})",
                     update.sweep, update.row + 1, update.jv, update.corrective, update.after[0],
-                    update.after[1], without_noise(update.slip.x()), without_noise(update.slip.y()));
-    if (i < 6) {
-      lesson.print(line);
-    } else {
-      lesson.detail(line);
-    }
+                    update.after[1], cleaned(update.slip.x()), cleaned(update.slip.y()));
+    i < 6 ? lesson.print(line) : lesson.detail(line);
   }
   lesson.print(fmt::format("  the block, sweep 1:        A⁻¹ b = {:>8.4f} {:>9.4f}   ( 0,       0     )",
                            rod.by_block[1][0], rod.by_block[1][1]));

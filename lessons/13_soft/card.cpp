@@ -1,5 +1,5 @@
 // Lesson 13. What the lesson says of itself.
-#include "lessons/card.hpp"
+#include "lessons/kit/card.hpp"
 
 namespace cairn {
 

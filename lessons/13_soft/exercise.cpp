@@ -1,5 +1,5 @@
 // Exercise 13. Visit a soft row: a spring between two bodies. Then: bash lessons/run check 13
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 #include "math/list.hpp"
 
 namespace cairn::exercise13 {

@@ -1,7 +1,5 @@
 // Exercise 13, graded: one visit that begins with an impulse, one that pulls, in a longer step, then sweeps
 // over two weights on two springs.
-#include <cmath>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise13 {

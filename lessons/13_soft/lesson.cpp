@@ -4,12 +4,7 @@
 // step, and a stiff one diverges. As a row it asks for j v = zeta like any other, but by gamma less for every
 // N s that it has given: that is the same force taken at the end of the step, and it cannot diverge. Both
 // stand below as plain loops; then the library does the second with the row of a rod.
-#include "lessons/lesson.hpp"
-
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::soft {
 

@@ -1,50 +1,33 @@
 // Springs from soft to stiff, three weights as sweeps go by, and a spring that is a force.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/bars.hpp"
-#include "render/draw.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::soft {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
-
 const int shown_sweeps = 6;
 
 /// From one colour to another.
-render::Color between(const render::Color& from, const render::Color& to, float part) {
+Color between(const Color& from, const Color& to, float part) {
   return {from.r + part * (to.r - from.r), from.g + part * (to.g - from.g), from.b + part * (to.b - from.b)};
 }
 
 /// The darker, the stiffer: at last a rod.
 void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = "c (mm)"};
+  Plot plot{.title = "c (mm)"};
   plot.x = {.title = "t (s)", .min = 0, .max = 0.5};
   double lowest = 0;
   double highest = 0;
   for (const int shown : {0, 1, 2, all.stiff.size() - 1}) {
     const StiffRun& run = all.stiff[shown];
     const float part = static_cast<float>(plot.series.size()) / 3;
-    const FixedList<render::Marker, 4> markers = {render::Marker::diamond, render::Marker::square,
-                                                  render::Marker::triangle, render::Marker::circle};
-    render::Series series{
+    const FixedList<Marker, 4> markers = {Marker::diamond, Marker::square, Marker::triangle, Marker::circle};
+    Series series{
         .name = run.frequency < 1e5 ? fmt::format("{:g} Hz", run.frequency) : "10^{6} Hz",
         .style = {
             between(style_of_soft(page).color, page.theme().outline, part), {}, markers[plot.series.size()]}};
-    for (int step = 0; step * all.settings.dt <= 0.5 + 1e-9 && step < run.error.size(); ++step) {
-      series.x.push_back(step * all.settings.dt);
-      series.y.push_back(1000 * run.error[step]);
-    }
+    for (int step = 0; step * all.settings.dt <= 0.5 + 1e-9 && step < run.error.size(); ++step)
+      series.add(step * all.settings.dt, 1000 * run.error[step]);
     plot.series.push_back(series);
     lowest = std::min(lowest, *std::min_element(series.y.begin(), series.y.end()));
     highest = std::max(highest, *std::max_element(series.y.begin(), series.y.end()));
@@ -54,26 +37,23 @@ void draw_stiff_curves(Page& page, const Rect& rect, const SoftRuns& all) {
 }
 
 void draw_stiff(Page& page, const SoftRuns& all) {
-  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
-  draw_stiff_curves(page, halves[0], all);
-  render::TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
+  const List<Rect> parts = in_columns(page, {0.54, {0.46, {0.6, 0.4}}});
+  draw_stiff_curves(page, parts[0], all);
+  TableView table{.header = {"f (Hz)", "γ (1/kg)", "β", "m g / k (mm)"}};
   for (const StiffRun& run : all.stiff) {
     const double sag = 1000 * run.sag;
     table.rows.push_back({run.frequency < 1e5 ? fmt::format("{:g}", run.frequency) : "10^{6}",
-                          render::significant(run.gamma, 3), fixed(run.beta, 4),
-                          render::significant(sag, 3)});
+                          significant(run.gamma, 3), fixed(run.beta, 4), significant(sag, 3)});
     if (run.frequency == all.settings.frequency) table.active_row = table.rows.size() - 1;
   }
-  const double top = 0.6;
-  const List<Rect> right = rows(halves[1], {top, 1 - top}, page.sizes().gap);
-  page.table(right[0], "the same Δt and damping ratio", table);
-  page.note(right[1], "Stiffer",
+  page.table(parts[1], "the same Δt and damping ratio", table);
+  page.note(parts[2], "Stiffer",
             "Δt k outgrows d, and β goes to 1: the row becomes a rod that takes its error back in one step.");
 }
 
 /// Three weights, one upon the other, on rods or on springs.
 void draw_column(Page& page, const Rect& rect, const ColumnRun& run, const std::string& title) {
-  const render::Camera camera = render::fit(page.panel(rect, title), {{-0.6, -0.05}, {0.6, 3.3}});
+  const Camera camera = fit(page.panel(rect, title), {{-0.6, -0.05}, {0.6, 3.3}});
   Snapshot column = run.start;
   for (const SnapshotJoint& joint : run.start.joints) {
     if (run.gamma > 0) {
@@ -91,24 +71,22 @@ void draw_column(Page& page, const Rect& rect, const ColumnRun& run, const std::
 
 /// Both side by side, so that one scale of colours serves both.
 void draw_matrices(Page& page, const SoftRuns& all) {
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {0.16, 0.16, 0.36, 0.32}, page.sizes().gap);
-  draw_column(page, top[0], all.rigid_column, "rods");
-  draw_column(page, top[1], all.soft_column, "springs");
-  render::MatrixView view{.title = "A of the rods  |  A + γ of the springs (1/kg)",
-                          .values = Matrix<double>(column_weights, 2 * column_weights),
-                          .row_names = {"1", "2", "3"},
-                          .column_names = {"1", "2", "3", "1", "2", "3"},
-                          .column_group = column_weights};
+  const List<Rect> parts = in_rows(page, {{0.5, {0.16, 0.16, 0.36, 0.32}}, {0.5, {0.5, 0.5}}});
+  draw_column(page, parts[0], all.rigid_column, "rods");
+  draw_column(page, parts[1], all.soft_column, "springs");
+  MatrixView view{.title = "A of the rods  |  A + γ of the springs (1/kg)",
+                  .values = Matrix<double>(column_weights, 2 * column_weights),
+                  .row_names = {"1", "2", "3"},
+                  .column_names = {"1", "2", "3", "1", "2", "3"},
+                  .column_group = column_weights};
   view.values << all.rigid_column.A, all.soft_column.A;
-  draw_matrix(page, top[2], view);
+  draw_matrix(page, parts[2], view);
   page.note(
-      top[3], "",
+      parts[3], "",
       "A spring only adds its γ to its diagonal entry of A. The rows affect each other less, so a sweep "
       "leaves less of the error.");
-  const List<Rect> below = columns(parts[1], {0.5, 0.5}, page.sizes().gap);
   const ColumnRun& soft = all.soft_column;
-  page.equation(below[0], {.number = "eq (15), PGS",
+  page.equation(parts[4], {.number = "eq (15), PGS",
                            .symbols = "(A + γ) λ = b",
                            .numbers = fmt::format("row 1: ({:.3g} + {:.3g}) λ_{{1}} − λ_{{2}} = b_{{1}}",
                                                   all.rigid_column.A(0, 0), soft.gamma),
@@ -120,7 +98,7 @@ void draw_matrices(Page& page, const SoftRuns& all) {
   const double given = soft.gamma * soft.by_si[1][0] * dt;
   const double change = soft.by_si[2][0] - soft.by_si[1][0];
   const double jv = -given - change * soft.A(0, 0) * dt;
-  page.equation(below[1], {.number = "eq (22), SI: row 1, sweep 2",
+  page.equation(parts[5], {.number = "eq (22), SI: row 1, sweep 2",
                            .symbols = "Δλ = (ζ − j·v − γ λ Δt) / ((A_{ii} + γ) Δt)",
                            .numbers = fmt::format("= (0 − ({}) − {}) / ({:.3g} × {:.3g})", fixed(jv, 4),
                                                   fixed(given, 4), soft.A(0, 0), dt),
@@ -130,9 +108,9 @@ void draw_matrices(Page& page, const SoftRuns& all) {
 }
 
 void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep, const std::string& title,
-                  render::Color color) {
+                  Color color) {
   const double largest = *std::max_element(run.exact.begin(), run.exact.end());
-  render::BarChart chart{.title = title, .largest = 1.3 * largest, .color = color};
+  BarChart chart{.title = title, .largest = 1.3 * largest, .color = color};
   for (int i = 0; i < run.exact.size(); ++i) {
     const double before = run.by_si[sweep - 1][i];
     chart.bars.push_back({.name = fmt::format("row {}", i + 1),
@@ -144,16 +122,15 @@ void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep,
 }
 
 void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
-  const List<Rect> parts = rows(page.area(), {0.48, 0.52}, page.sizes().gap);
-  const List<Rect> top = columns(parts[0], {1, 1}, page.sizes().gap);
-  draw_lambdas(page, top[0], all.rigid_column, sweep, "rods, one step from λ = 0: λ (N)",
+  const List<Rect> parts = in_rows(page, {{0.48, {1, 1}}, 0.52});
+  draw_lambdas(page, parts[0], all.rigid_column, sweep, "rods, one step from λ = 0: λ (N)",
                style_of_rigid(page).color);
-  draw_lambdas(page, top[1], all.soft_column, sweep, "springs that begin without load: λ (N)",
+  draw_lambdas(page, parts[1], all.soft_column, sweep, "springs that begin without load: λ (N)",
                style_of_soft(page).color);
-  render::Plot plot{.title = "largest error of λ, over the largest λ"};
+  Plot plot{.title = "largest error of λ, over the largest λ"};
   plot.x = {.title = "sweep", .min = 0, .max = shown_sweeps};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 10};
-  const auto add = [&](const std::string& name, const ColumnRun& run, const render::SeriesStyle& style) {
+  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-8, .max = 10};
+  const auto add = [&](const std::string& name, const ColumnRun& run, const SeriesStyle& style) {
     List<double> errors;
     for (int k = 0; k <= shown_sweeps; ++k) errors.push_back(std::max(run.error[k], 1e-12));
     plot.series.push_back(over_steps(name, style, errors));
@@ -162,21 +139,19 @@ void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
   add(fmt::format("rods, × {} per sweep", fixed(all.rigid_column.rate, 2)), all.rigid_column,
       style_of_rigid(page));
   add(fmt::format("springs, × {:.2g}", all.soft_column.rate), all.soft_column, style_of_soft(page));
-  draw_plot(page, parts[1], plot);
+  draw_plot(page, parts[2], plot);
 }
 
-render::SeriesStyle style_of_force(const Page& page) {
-  return {page.theme().external, {2, 5}, render::Marker::triangle};
-}
+SeriesStyle style_of_force(const Page& page) { return {page.theme().external, {2, 5}, Marker::triangle}; }
 
 void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = fmt::format("distance from the place of rest (m), {:g} Hz", harsh_hertz)};
+  Plot plot{.title = fmt::format("distance from the place of rest (m), {:g} Hz", harsh_hertz)};
   plot.x = {.title = "step", .min = 0, .max = 6};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-12, .max = 1e20};
   SoftSettings harsh = all.settings;
   harsh.frequency = harsh_hertz;
   const double sag = harsh.mass * gravity / stiffness(harsh);
-  const auto add = [&](const std::string& name, const List<double>& error, const render::SeriesStyle& style) {
+  const auto add = [&](const std::string& name, const List<double>& error, const SeriesStyle& style) {
     List<double> distances;
     for (int k = 0; k <= 6; ++k) distances.push_back(std::abs(error[k] + sag));
     plot.series.push_back(over_steps(name, style, distances));
@@ -187,16 +162,14 @@ void draw_run_away(Page& page, const Rect& rect, const SoftRuns& all) {
 }
 
 void draw_growth(Page& page, const Rect& rect, const SoftRuns& all) {
-  render::Plot plot{.title = "a step multiplies the oscillation by at most"};
-  plot.x = {.title = "f (Hz)", .scale = render::AxisScale::logarithmic, .min = 0.1, .max = 100};
-  plot.y = {.scale = render::AxisScale::logarithmic, .min = 0.01, .max = 1e3};
-  render::Series row{.name = "row", .style = style_of_soft(page), .markers = false};
-  render::Series force{.name = "force", .style = style_of_force(page), .markers = false};
+  Plot plot{.title = "a step multiplies the oscillation by at most"};
+  plot.x = {.title = "f (Hz)", .scale = AxisScale::logarithmic, .min = 0.1, .max = 100};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 0.01, .max = 1e3};
+  Series row{.name = "row", .style = style_of_soft(page), .markers = false};
+  Series force{.name = "force", .style = style_of_force(page), .markers = false};
   for (const Growth& growth : all.growth) {
-    row.x.push_back(growth.frequency);
-    row.y.push_back(growth.row);
-    force.x.push_back(growth.frequency);
-    force.y.push_back(growth.force);
+    row.add(growth.frequency, growth.row);
+    force.add(growth.frequency, growth.force);
   }
   plot.series = {force, row};
   plot.goals.push_back({1, "above: grows"});
@@ -214,13 +187,11 @@ double largest_hertz(const SoftRuns& all) {
 }
 
 void draw_harsh(Page& page, const SoftRuns& all) {
-  const double top = 0.7;
-  const List<Rect> parts = rows(page.area(), {top, 1 - top}, page.sizes().gap);
-  const List<Rect> halves = columns(parts[0], {1, 1}, page.sizes().gap);
-  draw_run_away(page, halves[0], all);
-  draw_growth(page, halves[1], all);
+  const List<Rect> parts = in_rows(page, {{0.7, {1, 1}}, 0.3});
+  draw_run_away(page, parts[0], all);
+  draw_growth(page, parts[1], all);
   const double hertz = largest_hertz(all);
-  page.note(parts[1], "A force, or a row",
+  page.note(parts[2], "A force, or a row",
             fmt::format("The force −k c − d v of the beginning of a step pushes too far above {:.3g} Hz, and "
                         "further each time. The row takes the force of the step's end: it never diverges, "
                         "but it damps motions that are too fast for the step. Both charts: Δt = {:g} s.",
@@ -229,44 +200,40 @@ void draw_harsh(Page& page, const SoftRuns& all) {
 
 }  // namespace
 
-List<Shot> stiff_shots(const Runs& all) {
-  return {{.state = "stiffer and stiffer",
-           .alt = "Oscillations on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ "
-                  "goes to 0, β "
-                  "to 1, the sag to 0.",
-           .draw = [all](Page& page) { draw_stiff(page, *all); },
-           .key = true}};
+List<Shot> stiff_shots(const SoftRuns& all) {
+  return {key_shot(all, "stiffer and stiffer",
+                   "Oscillations on springs from 1 Hz to a million Hz, and a table of their γ, β and sag: γ "
+                   "goes to 0, β "
+                   "to 1, the sag to 0.",
+                   draw_stiff)};
 }
 
-List<Shot> column_shots(const Runs& all) {
+List<Shot> column_shots(const SoftRuns& all) {
   List<Shot> shots;
   shots.push_back(
-      {.state = "three weights · A",
-       .alt = fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
-                          "to the diagonal.",
-                          all->soft_column.gamma),
-       .draw = [all](Page& page) { draw_matrices(page, *all); },
-       .key = true});
+      key_shot(all, "three weights · A",
+               fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
+                           "to the diagonal.",
+                           all.soft_column.gamma),
+               draw_matrices));
   for (int sweep = 1; sweep <= shown_sweeps; ++sweep) {
     shots.push_back(
         {.state = fmt::format("three weights · sweep {}", sweep),
          .alt = fmt::format("After sweep {} the largest error is {:.2g} with rods and {:.2g} with "
                             "springs.",
-                            sweep, all->rigid_column.error[sweep], all->soft_column.error[sweep]),
-         .draw = [all, sweep](Page& page) { draw_sweep(page, *all, sweep); },
+                            sweep, all.rigid_column.error[sweep], all.soft_column.error[sweep]),
+         .draw = [&all, sweep](Page& page) { draw_sweep(page, all, sweep); },
          .key = sweep == 2});
   }
   return shots;
 }
 
-List<Shot> harsh_shots(const Runs& all) {
-  return {
-      {.state = fmt::format("a stiff spring, Δt = {:g} s", all->settings.dt),
-       .alt =
-           "Left: the same stiff spring as a force diverges, as a row it comes to rest. Right: by how much "
-           "a step multiplies the oscillation, against the frequency; as a row always less than 1.",
-       .draw = [all](Page& page) { draw_harsh(page, *all); },
-       .key = true}};
+List<Shot> harsh_shots(const SoftRuns& all) {
+  return {key_shot(
+      all, fmt::format("a stiff spring, Δt = {:g} s", all.settings.dt),
+      "Left: the same stiff spring as a force diverges, as a row it comes to rest. Right: by how much "
+      "a step multiplies the oscillation, against the frequency; as a row always less than 1.",
+      draw_harsh)};
 }
 
 }  // namespace cairn::soft

@@ -1,24 +1,9 @@
 // A weight on a soft row beside one on a row without gamma: every step, the question, and the answer.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::soft {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
 
 const double soft_x = 0;  // [m] where the weights stand in the picture
 const double rigid_x = 1.1;
@@ -29,7 +14,7 @@ const int most_frames = 75;  // of the motion
 int last_step(const SoftRuns& all) { return all.spring.steps.size() - 1; }
 
 /// Ground, the height of the weights' lower edges without load, and how far the soft row's is from it.
-void draw_levels(Page& page, const render::Camera& camera, double error) {
+void draw_levels(Page& page, const Camera& camera, double error) {
   const List<Point> ground_outline = {camera.project({left_x, 0}), camera.project({right_x, 0}),
                                       camera.project({right_x, -0.06}), camera.project({left_x, -0.06})};
   page.canvas().polygon(ground_outline, {.fill = page.theme().static_body});
@@ -38,7 +23,7 @@ void draw_levels(Page& page, const render::Camera& camera, double error) {
   page.canvas().line(camera.project({left_x, rest_length}), camera.project({right_x, rest_length}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 5}});
   page.canvas().text(camera.project({0.58, rest_length + 0.03}), "no load", page.label());
-  const render::Stroke thin{.width = 1.5, .color = page.theme().text};
+  const Stroke thin{.width = 1.5, .color = page.theme().text};
   const double x = left_x + 0.1, foot = rest_length + error;
   page.canvas().line(camera.project({x, rest_length}), camera.project({x, foot}), thin);
   page.canvas().line(camera.project({x - 0.04, foot}), camera.project({soft_x - half_height, foot}), thin);
@@ -47,10 +32,10 @@ void draw_levels(Page& page, const render::Camera& camera, double error) {
 }
 
 /// The push of a row beside its weight: 110 N are three quarters of a metre long for 1 kg.
-void draw_push(Page& page, const render::Camera& camera, const SoftRuns& all, const Vec2<double>& tail,
-               double lambda, const std::string& text, render::ArrowKind kind) {
+void draw_push(Page& page, const Camera& camera, const SoftRuns& all, const Vec2<double>& tail, double lambda,
+               const std::string& text, ArrowKind kind) {
   const double weight = all.settings.mass * gravity;
-  const render::ArrowScale scale{
+  const ArrowScale scale{
       .pixels_per_unit = 0.068 * camera.scale / weight, .longest = 0.8 * camera.scale, .unit = "N"};
   draw_arrow(page, camera, scale, {.kind = kind, .tail = tail, .value = {0, lambda}});
   if (lambda * scale.pixels_per_unit > scale.longest) return;  // then it says so itself
@@ -68,8 +53,8 @@ std::string newtons(const SoftRuns& all, double lambda) {
   return fixed(lambda + 0.0, all.settings.mass < 0.1 ? 3 : all.settings.mass < 10 ? 1 : 0) + " N";
 }
 
-void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, const WeightRun& run,
-                 int step, double x) {
+void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const WeightRun& run, int step,
+                 double x) {
   Snapshot scene = run.steps[step];
   scene.joints.clear();
   scene.bodies[{1}].pose.position.x() += x;
@@ -89,13 +74,12 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
     draw_unknown_push(page, camera.project(tail));
   } else {
     draw_push(page, camera, all, tail, lambda, step == 0 ? fixed(lambda, 0) + " N" : newtons(all, lambda),
-              step == 0 ? render::ArrowKind::inactive : render::ArrowKind::joint);
+              step == 0 ? ArrowKind::inactive : ArrowKind::joint);
   }
   if (step == 1 && is_soft)
     draw_push(page, camera, all, tail + Vec2<double>(0.3, 0), force, "force: " + newtons(all, force),
-              render::ArrowKind::inactive);
-  render::TextStyle name = page.label();
-  name.align = render::Align::center;
+              ArrowKind::inactive);
+  TextStyle name = aligned(page.label(), Align::center);
   const Point at = camera.project({x, -0.08});
   page.canvas().text({at.x(), at.y() + name.size}, is_soft ? "soft row" : "rod: γ = 0, same β", name);
 }
@@ -103,7 +87,7 @@ void draw_weight(Page& page, const render::Camera& camera, const SoftRuns& all, 
 /// Both weights.
 void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   const Rect inside = page.panel(rect, "");
-  const render::Camera camera = render::fit(inside, {{left_x, -0.2}, {right_x, 1.7}});
+  const Camera camera = fit(inside, {{left_x, -0.2}, {right_x, 1.7}});
   draw_levels(page, camera, all.spring.error[step]);
   draw_weight(page, camera, all, all.spring, step, soft_x);
   draw_weight(page, camera, all, all.rigid, step, rigid_x);
@@ -111,27 +95,25 @@ void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
 
 /// c against time; what comes after `step` is pale.
 void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
-  render::Plot plot{.title = "c (mm), 0 without load"};
+  Plot plot{.title = "c (mm), 0 without load"};
   plot.x = {.title = "t (s)", .min = 0, .max = seconds};
-  render::Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
-  exact.style.marker = render::Marker::none;
+  Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
+  exact.style.marker = Marker::none;
   const int points = std::clamp(static_cast<int>(40 * all.settings.frequency * seconds), 200, 4000);
   double lowest = 0;
   double highest = 0;
   for (int i = 0; i <= points; ++i) {
-    exact.x.push_back(seconds * i / points);
-    exact.y.push_back(1000 * exact_error(all.settings, exact.x.back()));
+    const double time = seconds * i / points;
+    exact.add(time, 1000 * exact_error(all.settings, time));
     lowest = std::min(lowest, exact.y.back());
     highest = std::max(highest, exact.y.back());
   }
   plot.y = {.min = lowest - 10, .max = highest + 20};
   plot.series.push_back(exact);
-  const auto add = [&](const std::string& name, const WeightRun& run, const render::SeriesStyle& style) {
-    render::Series series{.name = name, .style = style};
-    for (int k = 0; k * all.settings.dt <= seconds + 1e-9 && k < run.error.size(); ++k) {
-      series.x.push_back(k * all.settings.dt);
-      series.y.push_back(1000 * run.error[k]);
-    }
+  const auto add = [&](const std::string& name, const WeightRun& run, const SeriesStyle& style) {
+    Series series{.name = name, .style = style};
+    for (int k = 0; k * all.settings.dt <= seconds + 1e-9 && k < run.error.size(); ++k)
+      series.add(k * all.settings.dt, 1000 * run.error[k]);
     plot.series.push_back(series);
   };
   add("soft row", all.spring, style_of_soft(page));
@@ -141,38 +123,35 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
 }
 
 void draw_step(Page& page, const SoftRuns& all, int step) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.56, 0.44}, page.sizes().gap);
-  draw_weights(page, halves[0], all, step);
-  draw_errors(page, right[0], all, step);
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.56, 0.44}}});
+  draw_weights(page, parts[0], all, step);
+  draw_errors(page, parts[1], all, step);
   const StepRow& row = all.spring.rows[step];
-  const std::string free = fixed(row.free, 3);
-  page.equation(right[1], {.number = "eq (22), the soft row",
+  page.equation(parts[2], {.number = "eq (22), the soft row",
                            .symbols = "λ = (ζ − j·v) / ((A + γ) Δt)",
                            .numbers = fmt::format("= ({} − {}) / (({:.3g} + {:.3g}) × {:.3g})",
-                                                  fixed(row.zeta, 3), row.free < 0 ? "(" + free + ")" : free,
+                                                  fixed(row.zeta, 3), in_brackets(fixed(row.free, 3)),
                                                   1 / all.settings.mass, all.spring.gamma, all.settings.dt),
                            .result = fmt::format("= {} N", fixed(row.lambda, 2)),
                            .algorithm = fmt::format("ζ = −β c / Δt, β = {:.4f} in both", all.spring.beta),
                            .color = style_of_soft(page).color});
 }
 
-Shot step_shot(const Runs& all, int step, bool key) {
-  const double time = step * all->settings.dt;
-  return {
-      .state = fmt::format("step {} · t = {} s", step, fixed(time, 2)),
-      .alt = fmt::format(
-          "After {:.2f} s the weight on the soft row is {:.1f} mm from where its spring has "
-          "no load, exactly it would be {:.1f} mm; the one on the rod {:.1f} mm. The rows push "
-          "with {:.1f} and {:.1f} N.",
-          time, 1000 * all->spring.error[step], 1000 * exact_error(all->settings, time),
-          1000 * all->rigid.error[step] + 0.0, all->spring.rows[step].lambda, all->rigid.rows[step].lambda),
-      .draw = [all, step](Page& page) { draw_step(page, *all, step); },
-      .key = key};
+Shot step_shot(const SoftRuns& all, int step, bool key) {
+  const double time = step * all.settings.dt;
+  return {.state = fmt::format("step {} · t = {} s", step, fixed(time, 2)),
+          .alt = fmt::format(
+              "After {:.2f} s the weight on the soft row is {:.1f} mm from where its spring has "
+              "no load, exactly it would be {:.1f} mm; the one on the rod {:.1f} mm. The rows push "
+              "with {:.1f} and {:.1f} N.",
+              time, 1000 * all.spring.error[step], 1000 * exact_error(all.settings, time),
+              1000 * all.rigid.error[step] + 0.0, all.spring.rows[step].lambda, all.rigid.rows[step].lambda),
+          .draw = [&all, step](Page& page) { draw_step(page, all, step); },
+          .key = key};
 }
 
 /// The weights before or after the first step, which is asked for.
-QuestionFrame weights_frame(const Runs& all, int step) {
+QuestionFrame weights_frame(const SoftRuns& all, int step) {
   return {.state = step == 0 ? "before the first step" : "after the first step",
           .alt = step == 0
                      ? "Two weights, one on a spring and one on a rod, both pressed down by 200 mm; the "
@@ -180,13 +159,13 @@ QuestionFrame weights_frame(const Runs& all, int step) {
                      : "Both weights after the first step with the pushes of their rows on one scale, "
                        "the spring's as a force in pale beside them; and the "
                        "answer.",
-          .scene = [all, step](Page& page, const Rect& rect) { draw_weights(page, rect, *all, step); }};
+          .scene = [&all, step](Page& page, const Rect& rect) { draw_weights(page, rect, all, step); }};
 }
 
 }  // namespace
 
-void draw_spring(Page& page, const render::Camera& camera, double x, double bottom, double top,
-                 const render::SeriesStyle& style) {
+void draw_spring(Page& page, const Camera& camera, double x, double bottom, double top,
+                 const SeriesStyle& style) {
   const int turns = 7;
   const double straight = 0.08 * (top - bottom);
   const double pitch = (top - bottom - 2 * straight) / turns;
@@ -200,16 +179,15 @@ void draw_spring(Page& page, const render::Camera& camera, double x, double bott
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
 }
 
-render::SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
-render::SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
+SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
+SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
 
-List<Shot> soft_shots(const SoftRuns& recorded) {
-  const Runs all = std::make_shared<const SoftRuns>(recorded);
+List<Shot> soft_shots(const SoftRuns& all) {
   List<Shot> shots = {question_shot(card(), weights_frame(all, 0))};
-  const int frames = std::min(last_step(*all), most_frames);
+  const int frames = std::min(last_step(all), most_frames);
   const std::set<int> keys = {1, 5, 20};
   for (int frame = 1; frame <= frames; ++frame)
-    shots.push_back(step_shot(all, frame * last_step(*all) / frames, keys.contains(frame)));
+    shots.push_back(step_shot(all, frame * last_step(all) / frames, keys.contains(frame)));
   for (const List<Shot>& more : {stiff_shots(all), column_shots(all), harsh_shots(all)})
     shots.insert(shots.end(), more.begin(), more.end());
   shots.push_back(answer_shot(
@@ -217,7 +195,7 @@ List<Shot> soft_shots(const SoftRuns& recorded) {
       fmt::format(
           "{} N, less than −k c = {}\u00a0N. At the end of the step the spring is longer, and its damper "
           "resists: the row pushes with the force of that moment.",
-          fixed(all->spring.rows[1].lambda, 1), fixed(stiffness(all->settings) * all->settings.pressed, 1))));
+          fixed(all.spring.rows[1].lambda, 1), fixed(stiffness(all.settings) * all.settings.pressed, 1))));
   return shots;
 }
 

@@ -1,16 +1,9 @@
 // Lesson 13. What is printed.
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::soft {
 
 namespace {
-
-/// Without what rounding leaves of a zero.
-double cleaned(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
 void print_spring(Lesson& lesson, const SoftRuns& all) {
   const SoftSettings& settings = all.settings;
@@ -130,6 +123,120 @@ SoftSettings settings_of(const Lesson& lesson) {
           .dt = lesson.real("dt"),
           .mass = lesson.real("mass"),
           .pressed = lesson.real("pressed")};
+}
+
+// What is checked.
+
+namespace {
+
+double largest_gap(const List<double>& a, const List<double>& b) {
+  double gap = 0;
+  for (int k = 0; k < a.size(); ++k) gap = std::max(gap, std::abs(a[k] - b[k]));
+  return gap;
+}
+
+void check_row(Lesson& lesson, const SoftRuns& all) {
+  const SoftSettings& settings = all.settings;
+  const double h = settings.dt;
+  const double resisting = damping_constant(settings) + h * stiffness(settings);
+  // Ten roundings each, of the numbers themselves.
+  lesson.check_small("γ = 1 / (Δt (d + Δt k)), of itself", all.spring.gamma * h * resisting - 1,
+                     16 * epsilon);
+  lesson.check_small("β = Δt k / (d + Δt k), of itself",
+                     all.spring.beta * resisting / (h * stiffness(settings)) - 1, 16 * epsilon);
+  const int steps = all.spring.error.size();
+  // Some ten roundings a step of positions of 1 m; a step never enlarges what it is given.
+  lesson.check_small("soft row: v and c of implicit Euler by hand, every step (m)",
+                     largest_gap(all.spring.error, by_implicit_euler(settings, steps - 1)),
+                     32 * epsilon * steps);
+  lesson.check_small("soft row: the loop of lesson.cpp, with γ and β by hand, every step (m)",
+                     largest_gap(all.spring.error, by_row(settings, steps - 1)), 32 * epsilon * steps);
+  List<double> powers;
+  for (int k = 0; k < all.rigid.error.size(); ++k)
+    powers.push_back(-settings.pressed * std::pow(1 - all.rigid.beta, k));
+  // The same roundings, of which beta forgets the older ones.
+  lesson.check_small("γ = 0: c = c₀ (1 − β)ᵏ, every step (m)", largest_gap(all.rigid.error, powers),
+                     32 * epsilon / all.rigid.beta);
+}
+
+void check_rest(Lesson& lesson, const SoftRuns& all) {
+  const SoftSettings& settings = all.settings;
+  const double k = stiffness(settings);
+  const double z = angular_frequency(settings.frequency) * settings.dt;
+  // The run ends once 1e-13 of less than 0.6 m are left. Near rest a step moves the weight by less than half
+  // a rounding of 1 m: speeds below epsilon / (2 dt) go unseen, and stop it where damper and step still carry
+  // v (d + dt k) / k = (epsilon / 2) (1 + 2 zeta / z).
+  const double tolerance = 6e-14 + epsilon * (8 + 2 * settings.damping / z);
+  lesson.check_equal("at rest: c = −m g / k (m)", all.rest_error, -settings.mass * gravity / k, tolerance);
+  // A speed that goes unseen needs dt (d + dt k) of itself, and k times the rounding of c.
+  const double unseen = k * tolerance + 16 * epsilon * settings.mass * gravity;
+  lesson.check_equal("at rest: λ = m g (N)", all.rest_lambda, settings.mass * gravity, unseen);
+  double grown = -1;
+  for (int step = 1; step < all.spring.error.size(); ++step) {
+    const double before = swing_energy(settings, all.spring.error[step - 1], all.spring.speed[step - 1]);
+    const double after = swing_energy(settings, all.spring.error[step], all.spring.speed[step]);
+    grown = std::max(grown, (after - before) / k);
+  }
+  // Energy over k: squares of less than 1 m, rounded.
+  lesson.check_small("energy gained in any step, over k (m²)", std::max(grown, 0.0), 64 * epsilon);
+  const StiffRun& stiffest = all.stiff.back();
+  const double y = angular_frequency(stiffest.frequency) * settings.dt;
+  double left = 0;
+  for (int step = 1; step < stiffest.error.size(); ++step)
+    left = std::max(left, std::abs(stiffest.error[step]));
+  // c' = (c (1 + 2 zeta y) + dt v - dt^2 g) / (1 + 2 zeta y + y^2), where |dt v| is at most about |c_0|.
+  const double held =
+      (settings.pressed * (2 + 2 * settings.damping * y) + gravity * settings.dt * settings.dt) /
+      (1 + 2 * settings.damping * y + y * y);
+  lesson.check_small("f = 1e6 Hz: c from step 1 on is that of β = 1, γ = 0, which is 0 (m)", left,
+                     1.1 * held + 32 * epsilon);
+}
+
+void check_columns(Lesson& lesson, const SoftRuns& all) {
+  const ColumnRun& rigid = all.rigid_column;
+  const ColumnRun& soft = all.soft_column;
+  const Matrix<double> added = soft.A - rigid.A;
+  const Matrix<double> gamma = soft.gamma * Matrix<double>::Identity(column_weights, column_weights);
+  lesson.check_small("A of the soft rows less A of the rigid ones = γ on the diagonal, of A",
+                     (added - gamma).cwiseAbs().maxCoeff() / soft.A.maxCoeff(), 8 * epsilon);
+  double apart = 0;
+  for (const ColumnRun* run : {&rigid, &soft}) {
+    for (int sweep = 0; sweep < run->by_si.size(); ++sweep)
+      apart = std::max(apart, largest_gap(run->by_si[sweep], run->by_pgs[sweep]) /
+                                  *std::max_element(run->exact.begin(), run->exact.end()));
+  }
+  // Three rows, a few roundings each, in every sweep.
+  lesson.check_small("PGS and SI: the same λ after every sweep, of the largest", apart,
+                     32 * epsilon * column_sweeps);
+  for (const auto& [name, run] : {std::pair{"rigid", &rigid}, {"soft", &soft}}) {
+    // From sweep 2 on one error is left, and each sweep shrinks it. It is known to some roundings of lambda.
+    lesson.check_equal(fmt::format("{}: a sweep leaves A₁₂²/(A₁₁A₂₂) + A₂₃²/(A₂₂A₃₃)", name),
+                       run->error[3] / run->error[2], run->rate, 32 * epsilon / run->error[2]);
+  }
+}
+
+void check_harsh(Lesson& lesson, const SoftRuns& all) {
+  SoftSettings harsh = all.settings;
+  harsh.frequency = harsh_hertz;
+  const double sag = harsh.mass * gravity / stiffness(harsh);
+  double out = 0;
+  for (const double error : all.harsh_row) out = std::max(out, std::abs(error + sag));
+  // The energy never grows, so the weight is never further out than at the start.
+  lesson.check_small("100 Hz: a row is never further out than at first (m)", out,
+                     std::abs(harsh.pressed - sag) + 32 * epsilon);
+  // With steps of 0.005 s and more, each multiplies by 8 and more: 8^20 times 25 micrometres.
+  const double thrown = std::abs(all.harsh_force.back());
+  lesson.check_that("as a force it is out by more than 10⁶ m after 20 steps", thrown > 1e6,
+                    fmt::format("{:.1e}", thrown));
+}
+
+}  // namespace
+
+void check_runs(Lesson& lesson, const SoftRuns& all) {
+  check_row(lesson, all);
+  check_rest(lesson, all);
+  check_columns(lesson, all);
+  check_harsh(lesson, all);
 }
 
 }  // namespace cairn::soft

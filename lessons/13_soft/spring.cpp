@@ -1,12 +1,8 @@
 // The engine's runs, and the same springs by hand.
-#include "spring.hpp"
+#include "lesson.hpp"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
 #include <complex>
-
-#include "measure/recorder.hpp"
 
 namespace cairn::soft {
 

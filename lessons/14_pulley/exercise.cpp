@@ -1,7 +1,7 @@
 // Exercise 14. Write a joint class: a rope whose end is wound on a drum. Then: bash lessons/run check 14
 #include <limits>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 #include "math/list.hpp"
 
 namespace cairn::exercise14 {

@@ -1,5 +1,5 @@
 // What a step of the fall left behind.
-#include "falls.hpp"
+#include "lesson.hpp"
 
 namespace cairn::pulley {
 

@@ -1,9 +1,6 @@
 // Exercise 14, graded: a rope on masses of 2, 0.5 and 0.5 kg and a drum, in a loop that knows rows only.
 #include "exercise.cpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace cairn::exercise14 {
 namespace {
 

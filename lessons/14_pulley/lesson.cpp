@@ -4,12 +4,8 @@
 // j v and j M^-1 j^T are sums over these blocks: that is all that changes. The joint is this lesson's own and
 // stands in rope.hpp; here it is put into a scene, its equation (22) is worked out by hand, and seven solvers
 // that know nothing of it find the same lambda.
-#include "lessons/lesson.hpp"
+#include "lesson.hpp"
 
-#include <memory>
-
-#include "math/list.hpp"
-#include "parts.hpp"
 #include "rope.hpp"
 
 namespace cairn::pulley {

@@ -1,34 +1,14 @@
 // Masses on a rope, the row of J that holds them, and the pull in the rope step by step.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <set>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::pulley {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-using render::significant;
-
-using Runs = std::shared_ptr<const PulleyRuns>;
-
 const double half_box = 0.3;  // [m] of a mass
 
 /// A wheel, and the bar between its middle and what it hangs on or what hangs on it.
-void draw_wheel(Page& page, const render::Camera& camera, const Vec2<double>& middle, double bar_end) {
+void draw_wheel(Page& page, const Camera& camera, const Vec2<double>& middle, double bar_end) {
   const Point hub = camera.project(middle);
   page.canvas().circle(
       hub, wheel_radius * camera.scale,
@@ -60,7 +40,7 @@ double loop_height(const PulleyStep& step) {
 }
 
 /// The wheels, and the rope over, under and over them, from the first mass to the third.
-void draw_rope(Page& page, const render::Camera& camera, const PulleyStep& step) {
+void draw_rope(Page& page, const Camera& camera, const PulleyStep& step) {
   const PerBody<SnapshotBody>& bodies = step.snapshot.bodies;
   const double r = wheel_radius;
   const double loop = loop_height(step), bar = wheel_height + r + 0.2;
@@ -108,10 +88,10 @@ Aabb<double> all_of_run(const PulleyRuns& all) {
 }
 
 /// The masses on their rope.
-render::Camera draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const PulleyStep& step) {
-  const render::Camera camera = render::fit(page.panel(rect, ""), all_of_run(all));
+Camera draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const PulleyStep& step) {
+  const Camera camera = fit(page.panel(rect, ""), all_of_run(all));
   draw_rope(page, camera, step);
-  render::WorldLook look{.names = {""}, .contacts = false};
+  WorldLook look{.names = {""}, .contacts = false};
   for (const double mass : all.settings.masses) look.names.push_back(fmt::format("{:g} kg", mass));
   look.numbers = camera.scale >= 45;
   Snapshot masses = step.snapshot;
@@ -121,14 +101,14 @@ render::Camera draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, 
 }
 
 /// The weights, and the pull of each of the four parts of the rope.
-void draw_pulls(Page& page, const render::Camera& camera, const PulleyRuns& all, const PulleyStep& step) {
-  const render::ArrowScale scale{
+void draw_pulls(Page& page, const Camera& camera, const PulleyRuns& all, const PulleyStep& step) {
+  const ArrowScale scale{
       .pixels_per_unit = camera.scale / newtons_per_metre(all), .longest = 2.52 * camera.scale, .unit = "N"};
   for (int i = 0; i < 3; ++i) {
     const Vec2<double> middle = step.snapshot.bodies[{i + 1}].pose.position;
     const double weight = gravity * all.settings.masses[i];
     draw_arrow(page, camera, scale,
-               {.kind = render::ArrowKind::external,
+               {.kind = ArrowKind::external,
                 .tail = middle - Vec2<double>(0, half_box),
                 .value = {0, -weight},
                 .label = fixed(weight, 0) + " N"});
@@ -138,7 +118,7 @@ void draw_pulls(Page& page, const render::Camera& camera, const PulleyRuns& all,
       const Vec2<double> tail = i == 1 ? Vec2<double>(side * (wheel_radius + 0.22), loop_height(step))
                                        : Vec2<double>(middle + Vec2<double>(side * 0.22, half_box));
       draw_arrow(page, camera, scale,
-                 {.kind = render::ArrowKind::joint,
+                 {.kind = ArrowKind::joint,
                   .tail = tail,
                   .value = {0, step.tension},
                   .label = significant(step.tension) + " N"});
@@ -147,11 +127,11 @@ void draw_pulls(Page& page, const render::Camera& camera, const PulleyRuns& all,
 }
 
 /// A speed or an acceleration beside a mass.
-void draw_motion(Page& page, const render::Camera& camera, const PulleyStep& step, int mass, double value,
+void draw_motion(Page& page, const Camera& camera, const PulleyStep& step, int mass, double value,
                  double metres, const std::string& label) {
   const double beside = mass == 0 ? -0.55 : 0.55;
   draw_arrow(page, camera, {.pixels_per_unit = camera.scale * metres / std::abs(value), .longest = 1e3},
-             {.kind = render::ArrowKind::velocity,
+             {.kind = ArrowKind::velocity,
               .tail = step.snapshot.bodies[{mass + 1}].pose.position +
                       Vec2<double>(beside, value > 0 ? -half_box : half_box),
               .value = {0, value},
@@ -159,7 +139,7 @@ void draw_motion(Page& page, const render::Camera& camera, const PulleyStep& ste
 }
 
 void draw_row(Page& page, const Rect& rect, const PulleyRuns& all) {
-  render::MatrixView view{.title = "J: one row, three bodies"};
+  MatrixView view{.title = "J: one row, three bodies"};
   view.values = system_matrices(all.first).J.rightCols(9);  // without the ground's columns
   for (int body = 1; body <= 3; ++body) {
     for (const char* name : {"x", "y", "θ"})
@@ -173,25 +153,24 @@ void draw_equation(Page& page, const PulleyRuns& all) {
   const ConstraintRow<double>& row = all.first.rows[0];
   const double jv = row_velocity(all.first, row);
   const double inverse = inverse_effective_mass(all.first, row);
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.21, 0.33, 0.46}, page.sizes().gap);
-  draw_pulls(page, draw_masses(page, halves[0], all, all.runs[0].steps[1]), all, all.runs[0].steps[1]);
-  draw_row(page, right[0], all);
-  page.equation(right[1], {.number = "eq (22)",
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.21, 0.33, 0.46}}});
+  draw_pulls(page, draw_masses(page, parts[0], all, all.runs[0].steps[1]), all, all.runs[0].steps[1]);
+  draw_row(page, parts[1], all);
+  page.equation(parts[2], {.number = "eq (22)",
                            .symbols = "λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)",
                            .numbers = fmt::format("= (0 − ({})) / ({} × {:g})", fixed(jv, 3),
                                                   fixed(inverse, 4), all.settings.dt),
                            .result = fmt::format("= {} N", fixed(all.runs[0].steps[1].tension, 3)),
                            .color = page.theme().text});
-  render::TableView table{.header = {"solver, one sweep", "λ (N)", "bytes it keeps"}};
+  TableView table{.header = {"solver, one sweep", "λ (N)", "bytes it keeps"}};
   for (const PulleyRun& run : all.runs)
     table.rows.push_back({run.solver, fixed(run.steps[1].tension, 3), fmt::format("{}", run.memory)});
-  page.table(right[2], "the same row in seven solvers", table);
+  page.table(parts[3], "the same row in seven solvers", table);
 }
 
 /// Something of each step, over the steps; what comes after step k is pale.
-render::Plot over_run(const Page& page, const PulleyRuns& all, int k, double (*value)(const PulleyStep&)) {
-  render::Plot plot;
+Plot over_run(const Page& page, const PulleyRuns& all, int k, double (*value)(const PulleyStep&)) {
+  Plot plot;
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
   List<double> values;
   for (const PulleyStep& step : all.runs[0].steps) values.push_back(value(step));
@@ -203,14 +182,13 @@ render::Plot over_run(const Page& page, const PulleyRuns& all, int k, double (*v
 }
 
 void draw_step(Page& page, const PulleyRuns& all, int k) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> right = rows(halves[1], {0.55, 0.45}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.55, 0.45}}});
   const PulleyStep& step = all.runs[0].steps[k];
-  const render::Camera camera = draw_masses(page, halves[0], all, step);
+  const Camera camera = draw_masses(page, parts[0], all, step);
   draw_pulls(page, camera, all, step);
   if (k == all.settings.lift_step + 1 && all.settings.lift > 0)
     draw_motion(page, camera, step, 2, step.speed[2], 1, significant(step.speed[2]) + " m/s");
-  render::Plot pull = over_run(page, all, k, [](const PulleyStep& one) { return one.tension; });
+  Plot pull = over_run(page, all, k, [](const PulleyStep& one) { return one.tension; });
   pull.series[0].y[0] = std::nan("");  // no step has been made
   pull.title = "pull in the rope, λ (N)";
   const double tension = tension_by_hand(all.settings);
@@ -218,38 +196,38 @@ void draw_step(Page& page, const PulleyRuns& all, int k) {
   const int lift = all.settings.lift_step;
   if (all.settings.lift > 0 && lift < all.settings.steps)
     pull.labels.push_back({0, 0.4 * tension, fmt::format("thrown up after {}", lift)});
-  draw_plot(page, right[0], pull);
-  render::Plot room = over_run(page, all, k, [](const PulleyStep& one) { return 1000 * one.room; });
+  draw_plot(page, parts[1], pull);
+  Plot room = over_run(page, all, k, [](const PulleyStep& one) { return 1000 * one.room; });
   room.title = "rope left over, c (mm)";
-  draw_plot(page, right[1], room);
+  draw_plot(page, parts[2], room);
 }
 
-Shot step_shot(const Runs& all, int k, const std::set<int>& keys) {
-  const PulleyStep& step = all->runs[0].steps[k];
+Shot step_shot(const PulleyRuns& all, int k, const std::set<int>& keys) {
+  const PulleyStep& step = all.runs[0].steps[k];
   const bool slack = step.tension <= 0;
   return {.state = fmt::format("step {} · {}", k, slack ? "the rope is slack" : "the rope is taut"),
           .alt = fmt::format(
               "Step {}: the rope is {} and pulls with {:.2f} N; the masses move at {:.2f}, {:.2f} and "
               "{:.2f} m/s upwards.",
               k, slack ? "slack" : "taut", step.tension, step.speed[0], step.speed[1], step.speed[2]),
-          .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+          .draw = [&all, k](Page& page) { draw_step(page, all, k); },
           .key = keys.contains(k)};
 }
 
 /// The masses before or after the first step, which is asked for; then with their accelerations.
-QuestionFrame moment(const Runs& all, int k) {
-  const auto scene = [all, k](Page& page, const Rect& rect) {
-    const PulleyStep& step = all->runs[0].steps[k];
-    const render::Camera camera = draw_masses(page, rect, *all, step);
-    draw_pulls(page, camera, *all, step);
-    render::TextStyle text = page.value();
+QuestionFrame moment(const PulleyRuns& all, int k) {
+  const auto scene = [&all, k](Page& page, const Rect& rect) {
+    const PulleyStep& step = all.runs[0].steps[k];
+    const Camera camera = draw_masses(page, rect, all, step);
+    draw_pulls(page, camera, all, step);
+    TextStyle text = page.value();
     text.size *= 1.3;
     if (k == 0) page.canvas().text(camera.project({-3 * wheel_radius + 0.12, 3.6}), "λ = ? N", text);
     for (int mass = 0; k > 0 && mass < 3; ++mass) {
-      const double acceleration = step.speed[mass] / all->settings.dt;
+      const double acceleration = step.speed[mass] / all.settings.dt;
       if (std::abs(acceleration) > 1e-6)
         draw_motion(page, camera, step, mass, acceleration, std::abs(acceleration) / 8,
-                    fixed(acceleration, 1, render::Sign::always) + " m/s²");
+                    fixed(acceleration, 1, Sign::always) + " m/s²");
     }
   };
   return {.state = k == 0 ? "before the first step" : "after the first step",
@@ -262,19 +240,16 @@ QuestionFrame moment(const Runs& all, int k) {
 
 }  // namespace
 
-List<Shot> pulley_shots(const PulleyRuns& recorded) {
-  const Runs all = std::make_shared<const PulleyRuns>(recorded);
-  const int last = all->settings.steps;
-  const int lift = all->settings.lift_step;
-  const std::set<int> keys = {lift + 1, lift + 10, hardest_pull(*all)};
+List<Shot> pulley_shots(const PulleyRuns& all) {
+  const int last = all.settings.steps;
+  const int lift = all.settings.lift_step;
+  const std::set<int> keys = {lift + 1, lift + 10, hardest_pull(all)};
   List<Shot> shots = {question_shot(card(), moment(all, 0))};
-  shots.push_back(
-      {.state = "step 1 · one row, one sweep",
-       .alt = "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.",
-       .draw = [all](Page& page) { draw_equation(page, *all); },
-       .key = true});
+  shots.push_back(key_shot(
+      all, "step 1 · one row, one sweep",
+      "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.", draw_equation));
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
-  const double tension = tension_by_hand(all->settings);
+  const double tension = tension_by_hand(all.settings);
   shots.push_back(answer_shot(
       card(), moment(all, 1),
       fmt::format("{} N, after one sweep. Each part of the rope pulls with it: {}, {} and {} N on the three "

@@ -3,12 +3,7 @@
 // Seen from above friction has two axes, and a row for each. Coulomb limits the length of the vector of both;
 // a solver that visits one row at a time limits each part. Below, a puck slides under both limits in a loop
 // of six lines; then the library's own rows do the same, in two solvers and in all directions.
-#include "lessons/lesson.hpp"
-
-#include <algorithm>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::top_view {
 

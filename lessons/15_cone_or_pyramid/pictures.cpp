@@ -1,27 +1,9 @@
 // The table from above, the plane of the friction forces with its two limits, and where all pucks stop.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <set>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "panels.hpp"
-#include "parts.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::top_view {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-
-using Recorded = std::shared_ptr<const Slides>;
 
 /// What (22) asks for and what the clamps leave, as far as the step has come: row x, row y, the vector.
 void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
@@ -32,7 +14,7 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
   const auto entry = [&](int needed, double force, int decimals) -> std::string {
     return known >= needed ? fixed(force + 0.0, decimals) : "?";
   };
-  render::TableView table{.header = {"λ (N)", "asked for", "parts clamped", "vector clamped"}};
+  TableView table{.header = {"λ (N)", "asked for", "parts clamped", "vector clamped"}};
   table.rows = {{"λ_{x}", entry(1, wanted.x(), 1), entry(1, parts.x(), 2), entry(3, vector.x(), 2)},
                 {"λ_{y}", entry(2, wanted.y(), 1), entry(2, parts.y(), 2), entry(3, vector.y(), 2)},
                 {"|λ|", entry(2, wanted.norm(), 1), entry(2, parts.norm(), 2), entry(3, vector.norm(), 2)}};
@@ -41,14 +23,13 @@ void draw_clamps(Page& page, const Rect& rect, const Slides& all, int known) {
 }
 
 /// A moment of the first step: the forces, the equation that gives the last of them, and a word about it.
-void draw_first_step(Page& page, const Slides& all, const Forces& forces, const render::Equation& equation,
-                     int known, const std::string& title, const std::string& text) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_limits(page, halves[0], all, forces);
-  const List<Rect> panels = rows(halves[1], {0.32, 0.34, 0.34}, page.sizes().gap);
-  page.equation(panels[0], equation);
-  draw_clamps(page, panels[1], all, known);
-  page.note(panels[2], title, text);
+void draw_first_step(Page& page, const Slides& all, const Forces& forces, const Equation& equation, int known,
+                     const std::string& title, const std::string& text) {
+  const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.32, 0.34, 0.34}}});
+  draw_limits(page, parts[0], all, forces);
+  page.equation(parts[1], equation);
+  draw_clamps(page, parts[2], all, known);
+  page.note(parts[3], title, text);
 }
 
 /// One of the two rows: from what its equation asks for to what its clamp leaves.
@@ -74,7 +55,7 @@ void draw_row(Page& page, const Slides& all, int i) {
       i == 0
           ? fmt::format("This row sees v_{{x}} alone. Stopping it within the step would take {} times μN, so "
                         "the clamp leaves −μN: the side of the square.",
-                        render::significant(-wanted.x() / settings.limit()))
+                        significant(-wanted.x() / settings.limit()))
           : fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "
                         "μN, {}° off the dashed line against v.",
                         fixed(parts.norm(), 2), fixed(parts.norm() / settings.limit(), 2),
@@ -99,18 +80,16 @@ void draw_vector(Page& page, const Slides& all) {
       "circle.");
 }
 
-render::Series speed_series(const std::string& name, const render::SeriesStyle& style, const Slides& all,
-                            const Slide& slide) {
-  render::Series series{.name = name, .style = style};
-  for (int i = 0; i < slide.steps.size(); ++i) {
-    series.x.push_back(i * all.settings.dt);
-    series.y.push_back(slide.steps[i].velocity.norm());
-  }
+Series speed_series(const std::string& name, const SeriesStyle& style, const Slides& all,
+                    const Slide& slide) {
+  Series series{.name = name, .style = style};
+  for (int i = 0; i < slide.steps.size(); ++i)
+    series.add(i * all.settings.dt, slide.steps[i].velocity.norm());
   return series;
 }
 
 void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
-  render::Plot plot{.title = "speed (m/s)"};
+  Plot plot{.title = "speed (m/s)"};
   const int last = all.circle.steps.size() - 1;
   plot.x = {.title = "t (s)", .min = 0, .max = last * all.settings.dt};
   plot.y = {.title = "", .min = 0, .max = 1.1 * all.settings.speed()};
@@ -121,47 +100,45 @@ void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
 }
 
 void draw_step(Page& page, const Slides& all, int k) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_table(page, halves[0], all, k);
-  const List<Rect> right = rows(halves[1], {0.58, 0.42}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.58, 0.42}}});
+  draw_table(page, parts[0], all, k);
   const Vec2<double> circle = all.circle.steps[k].lambda, square = all.square.steps[k].lambda;
-  const render::Camera camera = draw_limits(page, right[0], all, {.active = {circle, square}});
+  const Camera camera = draw_limits(page, parts[1], all, {.active = {circle, square}});
   double base = camera.viewport.y;
   for (const bool is_circle : {false, true}) {  // at the head of each force its limit's marker
     const Vec2<double>& lambda = is_circle ? circle : square;
-    const render::SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
+    const SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
     draw_marker(page.canvas(), camera.project(lambda), style.marker, 1.3 * page.sizes().marker, style.color);
     base += 1.4 * page.sizes().title;
-    render::TextStyle text = name_style(page, page.sizes().title, style.color);
-    text.align = render::Align::right;
+    TextStyle text = aligned(name_style(page, page.sizes().title, style.color), Align::right);
     page.canvas().text({camera.viewport.x + camera.viewport.width, base},
                        fmt::format("{}: {:.2f} N", is_circle ? "circle" : "square", lambda.norm()), text);
   }
-  draw_speeds(page, right[1], all, k);
+  draw_speeds(page, parts[2], all, k);
 }
 
-Shot step_shot(const Recorded& all, int k, bool key) {
-  const SlideStep& circle = all->circle.steps[k];
-  const SlideStep& square = all->square.steps[k];
+Shot step_shot(const Slides& all, int k, bool key) {
+  const SlideStep& circle = all.circle.steps[k];
+  const SlideStep& square = all.square.steps[k];
   return {
-      .state = fmt::format("step {} · t = {:.2f} s", k, k * all->settings.dt),
+      .state = fmt::format("step {} · t = {:.2f} s", k, k * all.settings.dt),
       .alt = fmt::format(
           "After {:.2f} s: the puck with the circle is at ({:.2f}, {:.2f}) m and pulled with {:.2f} N, the "
           "one with the square at ({:.2f}, {:.2f}) m with {:.2f} N.",
-          k * all->settings.dt, circle.place.x(), circle.place.y(), circle.lambda.norm(), square.place.x(),
+          k * all.settings.dt, circle.place.x(), circle.place.y(), circle.lambda.norm(), square.place.x(),
           square.place.y(), square.lambda.norm()),
-      .draw = [all, k](Page& page) { draw_step(page, *all, k); },
+      .draw = [&all, k](Page& page) { draw_step(page, all, k); },
       .key = key};
 }
 
-Shot direction_shot(const Recorded& all, int count) {
-  const int last = all->directions.size();
+Shot direction_shot(const Slides& all, int count) {
+  const int last = all.directions.size();
   return {.state = fmt::format("{} of {} directions", count, last),
           .alt = fmt::format(
               "Where the pucks stop for {} of {} directions: with the circle on a circle, with the square on "
               "a diamond inside it; and how far, and where to, over the direction.",
               count, last),
-          .draw = [all, count](Page& page) { draw_directions(page, *all, count); },
+          .draw = [&all, count](Page& page) { draw_directions(page, all, count); },
           .key = count == last};
 }
 
@@ -175,7 +152,7 @@ std::string answer_text(const Slides& all) {
 }
 
 /// "circle: 2.45 m" beside its way.
-void draw_way(Page& page, const render::Camera& camera, const Slide& slide, double aside) {
+void draw_way(Page& page, const Camera& camera, const Slide& slide, double aside) {
   const bool is_circle = slide.shape == FrictionShape::circle;
   const Vec2<double> end = slide.steps.back().place;
   draw_dimension(page, camera, end, aside,
@@ -185,11 +162,10 @@ void draw_way(Page& page, const render::Camera& camera, const Slide& slide, doub
 
 /// The table before the first step with the way that is known, and what limits the friction.
 void draw_question(Page& page, const Rect& rect, const Slides& all) {
-  const List<Rect> halves = columns(rect, {0.5, 0.5}, page.sizes().gap);
-  const render::Camera camera = draw_table(page, halves[0], all, 0);
+  const List<Rect> halves = in_columns(page, rect, {0.5, 0.5});
+  const Camera camera = draw_table(page, halves[0], all, 0);
   draw_way(page, camera, all.circle, 24);
-  render::TextStyle asked = name_style(page, page.sizes().title, page.theme().box2d.color);
-  asked.align = render::Align::right;
+  TextStyle asked = aligned(name_style(page, page.sizes().title, page.theme().box2d.color), Align::right);
   page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
                      asked);
   draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});
@@ -197,22 +173,21 @@ void draw_question(Page& page, const Rect& rect, const Slides& all) {
 
 /// The table with both pucks at rest, and how far that is from the start.
 void draw_ends(Page& page, const Rect& rect, const Slides& all) {
-  const render::Camera camera = draw_table(page, rect, all, all.circle.steps.size() - 1);
+  const Camera camera = draw_table(page, rect, all, all.circle.steps.size() - 1);
   draw_way(page, camera, all.circle, 40);
   draw_way(page, camera, all.square, -40);
 }
 
 }  // namespace
 
-List<Shot> slide_shots(const Slides& recorded) {
-  const Recorded all = std::make_shared<const Slides>(recorded);
-  const int last = all->circle.steps.size() - 1;
+List<Shot> slide_shots(const Slides& all) {
+  const int last = all.circle.steps.size() - 1;
   List<Shot> shots;
   shots.push_back(question_shot(
       card(), {.state = "before the first step",
                .alt = "A puck on a table from above with its velocity, a square and a circle "
                       "as limits of the friction force, and the question",
-               .scene = [all](Page& page, const Rect& rect) { draw_question(page, rect, *all); },
+               .scene = [&all](Page& page, const Rect& rect) { draw_question(page, rect, all); },
                .place = ScenePlace::above}));
   for (int i = 0; i < 2; ++i) {
     shots.push_back(
@@ -220,27 +195,26 @@ List<Shot> slide_shots(const Slides& recorded) {
          .alt = fmt::format("The plane of the friction forces with a square and a circle as limits: "
                             "row {} is clamped to the square.",
                             i == 0 ? "x" : "y"),
-         .draw = [all, i](Page& page) { draw_row(page, *all, i); },
+         .draw = [&all, i](Page& page) { draw_row(page, all, i); },
          .key = true});
   }
-  shots.push_back({.state = "step 1 · the vector",
-                   .alt = "The same plane: the vector is clamped to the circle, and stays against v.",
-                   .draw = [all](Page& page) { draw_vector(page, *all); },
-                   .key = true});
+  shots.push_back(key_shot(all, "step 1 · the vector",
+                           "The same plane: the vector is clamped to the circle, and stays against v.",
+                           draw_vector));
   const int stride = (last + 59) / 60;
   std::set<int> keys;
   for (const double part : {0.4, 0.65, 0.85}) keys.insert(static_cast<int>(part * last) / stride * stride);
   for (int k = stride; k < last; k += stride) shots.push_back(step_shot(all, k, keys.contains(k)));
   shots.push_back(step_shot(all, last, false));
-  const int directions = all->directions.size();
+  const int directions = all.directions.size();
   for (int count = 1; count <= directions; ++count) shots.push_back(direction_shot(all, count));
   shots.push_back(answer_shot(
       card(),
       {.state = "all at rest",
        .alt = "Both pucks at rest, each at the end of its path, with its distance from the start, and "
               "the answer.",
-       .scene = [all](Page& page, const Rect& rect) { draw_ends(page, rect, *all); }},
-      answer_text(*all)));
+       .scene = [&all](Page& page, const Rect& rect) { draw_ends(page, rect, all); }},
+      answer_text(all)));
   return shots;
 }
 

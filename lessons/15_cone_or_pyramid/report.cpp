@@ -1,18 +1,11 @@
 // Lesson 15. What is printed, and what is checked.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::top_view {
 
 namespace {
 
 constexpr double epsilon = 2.3e-16;
-
-using render::fixed;
 
 void print_first_step(Lesson& lesson, const Slides& all) {
   const SlideSettings& settings = all.settings;

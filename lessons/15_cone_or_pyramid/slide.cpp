@@ -1,8 +1,5 @@
 // The slides: three limits, two solvers, and all directions.
-#include "slide.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "lesson.hpp"
 
 namespace cairn::top_view {
 

@@ -1,7 +1,6 @@
 // A box on feet as a problem by hand, and what theory says of it.
-#include "feet.hpp"
+#include "lesson.hpp"
 
-#include <cmath>
 #include <numeric>
 
 namespace cairn::everybody {

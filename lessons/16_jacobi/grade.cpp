@@ -1,7 +1,7 @@
 // Exercise 16, graded: a box on one foot, on three, and on nine, beside sweeps with one mistake each.
-#include <numeric>
-
 #include "exercise.cpp"
+
+#include <numeric>
 
 namespace cairn::exercise16 {
 namespace {

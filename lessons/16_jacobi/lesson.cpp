@@ -4,13 +4,7 @@
 // share a body correct the same error several times over. A box on three feet is thrown up, let go, and
 // thrown up again, for ever, unless each row gives less: ω of it (damped), or what its share of the body's
 // mass asks for (split).
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
-
-#include "colours.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace {
 

@@ -1,44 +1,24 @@
 // The box on its feet: who pushes how hard, the sum of it, and the speed that it leaves.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::everybody {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-
-using Feet = std::shared_ptr<const FeetRun>;
 
 const double box_middle = 0.62;  // [m] as the snapshot has it
 const double sum_place = 1.2;    // [m] where the pushes stand upon each other, beside the box
 const double weight_place = 1.5;
 
 /// The pushes of all feet at their feet, and once more tip to tail beside the weight.
-void draw_pushes(Page& page, const render::Camera& camera, const FeetRun& run, int sweep) {
+void draw_pushes(Page& page, const Camera& camera, const FeetRun& run, int sweep) {
   const List<double>& lambda = history_of(run, Method::plain).lambda[sweep];
   const double weight = box_mass * gravity;
-  const render::ArrowScale forces{
-      .pixels_per_unit = 1.55 * camera.scale / (weight * std::max(1.0, run.answer)),
-      .longest = 2 * camera.scale};
+  const ArrowScale forces{.pixels_per_unit = 1.55 * camera.scale / (weight * std::max(1.0, run.answer)),
+                          .longest = 2 * camera.scale};
   const double metres = forces.pixels_per_unit / camera.scale;  // for a newton
-  render::TextStyle text = page.value();
-  text.align = render::Align::center;
-  draw_arrow(
-      page, camera, forces,
-      {.kind = render::ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
+  TextStyle text = aligned(page.value(), Align::center);
+  draw_arrow(page, camera, forces,
+             {.kind = ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
   page.canvas().text(camera.project({weight_place, weight * metres + 0.03}),
                      fmt::format("weight {:g} N", weight), text);
   text.bold = true;
@@ -62,16 +42,16 @@ void draw_pushes(Page& page, const render::Camera& camera, const FeetRun& run, i
 /// The box with what each foot has given so far, and how fast it moves.
 void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const Rect inside = page.panel(rect, "");
-  render::Camera camera = render::fit(inside, {{-0.65, -0.1}, {1.8, 1.35}});
+  Camera camera = fit(inside, {{-0.65, -0.1}, {1.8, 1.35}});
   camera.center.y() = 0.5 * inside.height / camera.scale - 0.15;  // little of the ground
   draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
   draw_pushes(page, camera, run, sweep);
   const double speed = history_of(run, Method::plain).speed[sweep];
   const double fastest = gravity * time_step * std::max(1.0, run.answer - 1);
   draw_arrow(page, camera, {.pixels_per_unit = 0.3 * camera.scale / fastest, .longest = camera.scale},
-             {.kind = render::ArrowKind::velocity, .tail = {0.62, box_middle}, .value = {0, speed}});
+             {.kind = ArrowKind::velocity, .tail = {0.62, box_middle}, .value = {0, speed}});
   page.canvas().text(camera.project({0.67, box_middle + 0.12 * speed / fastest}),
-                     fixed(speed, 3, render::Sign::always) + " m/s", page.value());
+                     fixed(speed, 3, Sign::always) + " m/s", page.value());
 }
 
 /// What a sweep of plain Jacobi does.
@@ -90,42 +70,41 @@ std::string sweep_text(const FeetRun& run, int sweep) {
 }
 
 void draw_sweep(Page& page, const FeetRun& run, int sweep) {
-  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  draw_feet(page, halves[0], run, sweep);
-  const List<Rect> right = rows(halves[1], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.5, 0.5}}});
+  draw_feet(page, parts[0], run, sweep);
   const FeetHistory& plain = history_of(run, Method::plain);
   const double before = plain.lambda[sweep - 1][0];
   const double after = plain.lambda[sweep][0];
   const double speed = plain.speed[sweep - 1];
   page.equation(
-      right[0],
+      parts[1],
       {.number = "eq (22), foot 1; the others do the same at the same time",
        .symbols = "λ ← max(0, λ − j·v / (A_{11} Δt))",
-       .numbers = fmt::format("= max(0, {} − {} / ({} × {:g}))", fixed(before, 2),
-                              speed < 0 ? "(" + fixed(speed, 3) + ")" : fixed(speed, 3),
-                              fixed(inverse_effective_mass(run.problem, run.problem.rows[0]), 4), time_step),
+       .numbers =
+           fmt::format("= max(0, {} − {} / ({} × {:g}))", fixed(before, 2), in_brackets(fixed(speed, 3)),
+                       fixed(inverse_effective_mass(run.problem, run.problem.rows[0]), 4), time_step),
        .result = fmt::format("= {} N", fixed(after, 2)),
        .algorithm = fmt::format("then v: {} → {} m/s", fixed(speed, 3), fixed(plain.speed[sweep], 3)),
        .color = page.theme().normal});
-  page.note(right[1], fmt::format("Sweep {}", sweep), sweep_text(run, sweep));
+  page.note(parts[2], fmt::format("Sweep {}", sweep), sweep_text(run, sweep));
 }
 
-Shot sweep_shot(const Feet& run, int sweep) {
-  const FeetHistory& plain = history_of(*run, Method::plain);
+Shot sweep_shot(const FeetRun& run, int sweep) {
+  const FeetHistory& plain = history_of(run, Method::plain);
   return {.state = fmt::format("plain Jacobi · sweep {}", sweep),
           .alt = fmt::format("Plain Jacobi after sweep {}: the feet push with {:.1f} N together, the weight "
                              "being 60 N, and the box moves at {:.3f} m/s upwards.",
                              sweep, together(plain.lambda[sweep]), plain.speed[sweep]),
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
           .key = sweep <= 2};
 }
 
 /// The four methods' speeds, and the number that decides.
 void draw_speeds(Page& page, const FeetRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  render::Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
+  const List<Rect> parts = in_rows(page, {0.62, {0.38, {0.6, 0.4}}});
+  Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-8, .max = 1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-8, .max = 1};
   for (const FeetHistory& history : run.histories) {
     List<double> size;
     for (const double speed : history.speed) {
@@ -136,7 +115,7 @@ void draw_speeds(Page& page, const FeetRun& run) {
                                      style_of(page.theme(), history.method), size));
   }
   draw_plot(page, parts[0], plot);
-  render::TableView table;
+  TableView table;
   table.header = {"method", "the speed", "q = ω Σ c", "left after 5"};
   table.text_columns = 2;
   for (const FeetHistory& history : run.histories) {
@@ -149,29 +128,26 @@ void draw_speeds(Page& page, const FeetRun& run) {
                           in_turn ? "·" : fixed(taken, 3),
                           fixed(100 * std::abs(history.speed[5]) / (gravity * time_step), 2) + " %"});
   }
-  const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
-  page.table(below[0], "", table);
-  page.note(below[1], "What decides",
+  page.table(parts[1], "", table);
+  page.note(parts[2], "What decides",
             "One sweep leaves 1 − q of the speed. q = 1: done at once; q < 2: "
             "converges; q > 2: grows, or never ends.");
 }
 
-List<Shot> feet_shots(const FeetRun& feet) {
-  const Feet run = std::make_shared<const FeetRun>(feet);
+List<Shot> feet_shots(const FeetRun& run) {
   List<Shot> shots;
   shots.push_back(question_shot(
       card(),
       {.state = "before the first sweep",
        .alt = fmt::format("A box that comes down on {} feet, none of which pushes yet, and the question",
-                          run->settings.feet),
-       .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 0); }}));
-  for (int sweep = 1; sweep <= run->settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
+                          run.settings.feet),
+       .scene = [&run](Page& page, const Rect& rect) { draw_feet(page, rect, run, 0); }}));
+  for (int sweep = 1; sweep <= run.settings.sweeps; ++sweep) shots.push_back(sweep_shot(run, sweep));
   shots.push_back(
-      {.state = fmt::format("four methods, {} sweeps", run->settings.sweeps),
-       .alt = "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
-              "the share q that one sweep of each removes.",
-       .draw = [run](Page& page) { draw_speeds(page, *run); },
-       .key = true});
+      key_shot(run, fmt::format("four methods, {} sweeps", run.settings.sweeps),
+               "Speed of the box against sweeps: plain Jacobi, damped, with split masses, and SI; below it "
+               "the share q that one sweep of each removes.",
+               draw_speeds));
   return shots;
 }
 
@@ -183,8 +159,8 @@ std::string summands(const List<double>& lambda) {
   return text;
 }
 
-Shot last_shot(const Feet& run) {
-  const List<double>& first = history_of(*run, Method::plain).lambda[1];
+Shot last_shot(const FeetRun& run) {
+  const List<double>& first = history_of(run, Method::plain).lambda[1];
   const std::string text = fmt::format(
       "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. Damped, or "
       "with split masses, Jacobi converges.",
@@ -193,7 +169,7 @@ Shot last_shot(const Feet& run) {
                      {.state = "after the first sweep",
                       .alt = "The box after the first sweep: the three pushes, tip to tail, are more than "
                              "twice as long as the weight.",
-                      .scene = [run](Page& page, const Rect& rect) { draw_feet(page, rect, *run, 1); }},
+                      .scene = [&run](Page& page, const Rect& rect) { draw_feet(page, rect, run, 1); }},
                      text);
 }
 
@@ -205,17 +181,17 @@ std::string method_name(Method method, double omega) {
   return method == Method::split ? "Jacobi, split" : "SI";
 }
 
-render::SeriesStyle style_of(const render::Theme& theme, Method method) {
+SeriesStyle style_of(const Theme& theme, Method method) {
   if (method == Method::plain) return theme.jacobi;
-  if (method == Method::damped) return {theme.pgs.color, {12, 5}, render::Marker::circle};
-  if (method == Method::split) return {theme.box2d.color, {}, render::Marker::triangle};
+  if (method == Method::damped) return {theme.pgs.color, {12, 5}, Marker::circle};
+  if (method == Method::split) return {theme.box2d.color, {}, Marker::triangle};
   return theme.si;
 }
 
 List<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile) {
   List<Shot> shots = feet_shots(feet);
   for (Shot& shot : pile_shots(pile)) shots.push_back(std::move(shot));
-  shots.push_back(last_shot(std::make_shared<const FeetRun>(feet)));
+  shots.push_back(last_shot(feet));
   return shots;
 }
 

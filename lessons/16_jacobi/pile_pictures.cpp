@@ -1,33 +1,18 @@
 // The pyramid: what decides whether Jacobi converges, what it costs, and two worlds beside their mirror
 // images.
-#include <fmt/format.h>
+#include "lesson.hpp"
 
-#include <algorithm>
-#include <memory>
-#include <set>
-
-#include "lessons/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "render/lint.hpp"
 
 namespace cairn::everybody {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-
-using Pile = std::shared_ptr<const PileRun>;
-
 /// The pyramid with the number of rows on each box.
 void draw_rows_on_boxes(Page& page, const Rect& rect, const PileRun& run) {
   const Rect inside = page.panel(rect, "rows on each box");
-  const render::Camera camera = pyramid_camera(inside, run.settings.base);
-  render::WorldLook look;
+  const Camera camera = pyramid_camera(inside, run.settings.base);
+  WorldLook look;
   for (const BodyId body : run.rows_on_box.indices())
     look.names.push_back(body == ground ? "" : fmt::format("{}", run.rows_on_box[body]));
   draw_world(page, camera, run.snapshot, look);
@@ -39,19 +24,18 @@ std::string verdict_of(const PileHistory& history) {
 }
 
 void draw_eigenvalues(Page& page, const PileRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.46, 0.54}, page.sizes().gap);
-  draw_rows_on_boxes(page, halves[0], run);
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  render::TableView table;
+  const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.42, 0.58}}});
+  draw_rows_on_boxes(page, parts[0], run);
+  TableView table;
   table.header = {"method", "ω × eigenvalue", "it converges"};
   for (const PileHistory& history : run.histories) {
     const bool in_turn = history.method == Method::sequential;
     table.rows.push_back({method_name(history.method, run.settings.omega),
                           in_turn ? "·" : fixed(history.eigenvalue, 3), verdict_of(history)});
   }
-  page.table(right[0], "the largest eigenvalue of D^{−1} A", table);
+  page.table(parts[1], "the largest eigenvalue of D^{−1} A", table);
   const int most = *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end());
-  page.note(right[1], "What decides",
+  page.note(parts[2], "What decides",
             fmt::format("Up to {} rows correct one box at the same time. With an eigenvalue above 2 a "
                         "sweep leaves some error larger than before. Damping gives a share of each "
                         "correction; every scene needs its own share. Split masses give each row its share "
@@ -60,23 +44,22 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
 }
 
 void draw_convergence(Page& page, const PileRun& run) {
-  const List<Rect> parts = rows(page.area(), {0.6, 0.4}, page.sizes().gap);
-  render::Plot plot{.title = "residual R_{E} after each sweep"};
+  const List<Rect> parts = in_rows(page, {0.6, {0.4, {0.6, 0.4}}});
+  Plot plot{.title = "residual R_{E} after each sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = 300};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 5e-4, .max = 1e2};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5e-4, .max = 1e2};
   for (const PileHistory& history : run.histories) {
-    render::Series series{.name = method_name(history.method, run.settings.omega),
-                          .style = style_of(page.theme(), history.method)};
+    Series series{.name = method_name(history.method, run.settings.omega),
+                  .style = style_of(page.theme(), history.method)};
     for (int k = 0; k <= 300; ++k) {
       if (!(history.residual[k] < 1e2 && history.residual[k] > 5e-4)) break;
-      series.x.push_back(k);
-      series.y.push_back(history.residual[k]);
+      series.add(k, history.residual[k]);
     }
     plot.series.push_back(series);
   }
   plot.goals.push_back({0.01, "1 %"});
   draw_plot(page, parts[0], plot);
-  render::TableView table;
+  TableView table;
   table.header = {"method", "sweeps to 1 %", "waits a sweep", "waits"};
   const auto line = [&](const std::string& name, const PileHistory& history) {
     const int waits = waits_per_sweep(run, history);
@@ -87,10 +70,9 @@ void draw_convergence(Page& page, const PileRun& run) {
   for (const PileHistory& history : run.histories)
     line(method_name(history.method, run.settings.omega), history);
   line("SI, by colours", run.coloured);
-  const List<Rect> below = columns(parts[1], {0.6, 0.4}, page.sizes().gap);
-  page.table(below[0], "", table);
+  page.table(parts[1], "", table);
   page.note(
-      below[1], "With a processor for each row",
+      parts[2], "With a processor for each row",
       "Jacobi waits for all others once a sweep. SI waits for every row. With colours, rows that share no "
       "box run together, so SI can be parallel, too.");
 }
@@ -112,65 +94,165 @@ void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, in
   const MirrorRun& mirror = run.mirrors[which];
   const Rect inside =
       draw_solver_panel(page, rect, style_of(page.theme(), mirror.method), mirror_name(mirror),
-                        "off by " + render::significant(mirror.asymmetry[step], 2) + " m");
+                        "off by " + significant(mirror.asymmetry[step], 2) + " m");
   const double base = run.settings.base, half = 0.625 * base + 0.6;
-  const render::Camera camera = render::fit(inside, {{-half, -0.3}, {half, base + 1.7}});
+  const Camera camera = fit(inside, {{-half, -0.3}, {half, base + 1.7}});
   draw_world(page, camera, mirror.frames[step], {.numbers = false, .contacts = false, .penetration = false});
   const Snapshot image = mirrored(mirror.frames[step]);
   draw_ghosts(page, camera, {&image, 1});
 }
 
 void draw_asymmetry(Page& page, const PileRun& run, int step) {
-  render::Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
+  Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
   plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-19, .max = 1e1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-19, .max = 1e1};
   for (const MirrorRun& mirror : run.mirrors)
     plot.series.push_back(
         over_steps(mirror_name(mirror), style_of(page.theme(), mirror.method), mirror.asymmetry));
   plot.series[2].style.dash = {3, 4};
-  plot.series[2].style.marker = render::Marker::circle;
+  plot.series[2].style.marker = Marker::circle;
   plot.now = step;
-  const List<Rect> parts = rows(page.area(), {0.5, 0.5}, page.sizes().gap);
-  const List<Rect> halves = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.5, 0.5});
+  const List<Rect> halves = in_columns(page, parts[0], {0.5, 0.5});
   for (int which = 0; which < 2; ++which) draw_mirror(page, halves[which], run, which, step);
   draw_plot(page, parts[1], plot);
 }
 
-Shot mirror_shot(const Pile& run, int step, const std::set<int>& keys) {
-  return {.state = fmt::format("step {} of {} · grey: the mirror image", step, run->settings.steps),
+Shot mirror_shot(const PileRun& run, int step, const std::set<int>& keys) {
+  return {.state = fmt::format("step {} of {} · grey: the mirror image", step, run.settings.steps),
           .alt = fmt::format("Step {}: a ball falls on two pyramids, each drawn over its mirror image. Split "
                              "Jacobi is off by {:.1e} m, SI by {:.1e} m.",
-                             step, run->mirrors[0].asymmetry[step], run->mirrors[1].asymmetry[step]),
-          .draw = [run, step](Page& page) { draw_asymmetry(page, *run, step); },
+                             step, run.mirrors[0].asymmetry[step], run.mirrors[1].asymmetry[step]),
+          .draw = [&run, step](Page& page) { draw_asymmetry(page, run, step); },
           .key = keys.contains(step)};
 }
 
 }  // namespace
 
-List<Shot> pile_shots(const PileRun& pile) {
-  const Pile run = std::make_shared<const PileRun>(pile);
-  const int last = run->settings.steps;
+List<Shot> pile_shots(const PileRun& run) {
+  const int last = run.settings.steps;
   List<Shot> shots;
-  shots.push_back({.state = fmt::format("a pyramid, {} rows", run->problem.row_count()),
-                   .alt = "A pyramid with the number of rows on each box, and the largest eigenvalue of each "
-                          "method.",
-                   .draw = [run](Page& page) { draw_eigenvalues(page, *run); },
-                   .key = true});
-  shots.push_back({.state = "one step of the pyramid",
-                   .alt = "Residual against sweeps for four methods, and how many waits each needs with a "
-                          "processor for each row.",
-                   .draw = [run](Page& page) { draw_convergence(page, *run); },
-                   .key = true});
   shots.push_back(
-      {.state =
-           fmt::format("{} contacts, {} colours", run->contacts.contacts.size(), run->contacts.count.size()),
-       .alt = fmt::format("The contacts of the pyramid, joined box to box and numbered by colour: "
-                          "{} of them go at the same time in {} turns.",
-                          counts_text(run->contacts), run->contacts.count.size()),
-       .draw = [run](Page& page) { draw_colours(page, *run); },
-       .key = true});
+      key_shot(run, fmt::format("a pyramid, {} rows", run.problem.row_count()),
+               "A pyramid with the number of rows on each box, and the largest eigenvalue of each "
+               "method.",
+               draw_eigenvalues));
+  shots.push_back(key_shot(run, "one step of the pyramid",
+                           "Residual against sweeps for four methods, and how many waits each needs with a "
+                           "processor for each row.",
+                           draw_convergence));
+  shots.push_back(key_shot(
+      run, fmt::format("{} contacts, {} colours", run.contacts.contacts.size(), run.contacts.count.size()),
+      fmt::format("The contacts of the pyramid, joined box to box and numbered by colour: "
+                  "{} of them go at the same time in {} turns.",
+                  counts_text(run.contacts), run.contacts.count.size()),
+      draw_colours));
   for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {15, last}));
   return shots;
+}
+
+// The contacts of the pyramid as a graph: which colour each has, and what goes at the same time.
+
+namespace {
+
+/// From the middle of one box to the middle of the other; from the ground straight up.
+struct Edge {
+  Point from = {0, 0};
+  Point to = {0, 0};
+};
+
+Edge edge_of(const Camera& camera, const Snapshot& snapshot, const ColouredContact& contact) {
+  const Vec2<double> upper = snapshot.bodies[contact.b].pose.position;
+  Vec2<double> lower = snapshot.bodies[contact.a].pose.position;
+  if (contact.a == ground) lower = {upper.x(), 0};
+  return {camera.project(lower), camera.project(upper)};
+}
+
+/// What a colour of the graph looks like.
+Color color_of(const Page& page, int colour) {
+  const Theme& theme = page.theme();
+  const FixedList<Color, 4> colors = {theme.positive, theme.velocity, theme.penetration, theme.negative};
+  return colors[colour % colors.size()];
+}
+
+/// All contacts, each in its colour, with the number of that.
+void draw_graph(Page& page, const Rect& rect, const PileRun& run) {
+  const Rect inside = page.panel(rect, "contacts, each in its colour");
+  const Camera camera = pyramid_camera(inside, run.settings.base);
+  draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
+  for (const ColouredContact& contact : run.contacts.contacts) {
+    const Edge edge = edge_of(camera, run.snapshot, contact);
+    page.canvas().line(edge.from, edge.to,
+                       {.width = page.sizes().arrow, .color = color_of(page, contact.colour)});
+  }
+  TextStyle text = page.value();
+  text.bold = true;
+  text.align = Align::center;
+  const double radius = 0.72 * text.size;
+  for (const ColouredContact& contact : run.contacts.contacts) {
+    const Edge edge = edge_of(camera, run.snapshot, contact);
+    const double share = contact.a == ground ? 0.0 : 0.5;
+    const Point middle = edge.from + share * (edge.to - edge.from);
+    const Color fill = color_of(page, contact.colour);
+    page.canvas().circle(middle, radius, {.fill = fill, .outline = page.theme().outline, .outline_width = 1});
+    text.color = render::ink_on(fill);
+    text.halo = fill;
+    page.canvas().text({middle.x(), middle.y() + 0.36 * text.size}, fmt::format("{}", contact.colour + 1),
+                       text);
+  }
+}
+
+/// One turn: the contacts of a colour, and the boxes that they hold; every box has one at most.
+void draw_turn(Page& page, const Rect& rect, const PileRun& run, int colour) {
+  const int count = run.contacts.count[colour];
+  const Rect inside =
+      page.panel(rect, fmt::format("turn {}: {} contact{}", colour + 1, count, count == 1 ? "" : "s"));
+  const Camera camera = pyramid_camera(inside, run.settings.base);
+  for (const SnapshotBody& body : run.snapshot.bodies) {
+    if (body.type != BodyType::dynamic) continue;
+    const Point low = camera.project(body.pose.position - Vec2<double>(0.5, 0.5));
+    const Point high = camera.project(body.pose.position + Vec2<double>(0.5, 0.5));
+    page.canvas().rect({low.x(), high.y(), high.x() - low.x(), low.y() - high.y()},
+                       {.fill = page.theme().body, .outline = page.theme().inactive, .outline_width = 1});
+  }
+  const Point left = camera.project({-0.625 * run.settings.base, 0});
+  const Point right = camera.project({0.625 * run.settings.base, 0});
+  page.canvas().line(left, right, {.width = page.sizes().axis, .color = page.theme().outline});
+  const render::Paint dot{
+      .fill = color_of(page, colour), .outline = page.theme().outline, .outline_width = 1};
+  for (const ColouredContact& contact : run.contacts.contacts) {
+    if (contact.colour != colour) continue;
+    const Edge edge = edge_of(camera, run.snapshot, contact);
+    page.canvas().line(edge.from, edge.to, {.width = 1.4 * page.sizes().arrow, .color = dot.fill});
+    page.canvas().circle(edge.to, 1.4 * page.sizes().contact, dot);
+    if (contact.a != ground) page.canvas().circle(edge.from, 1.4 * page.sizes().contact, dot);
+  }
+}
+
+}  // namespace
+
+Camera pyramid_camera(const Rect& inside, int base) {
+  const double half = 0.625 * base + 0.2;
+  return fit(inside, {{-half, -0.3}, {half, base + 0.1}});
+}
+
+void draw_colours(Page& page, const PileRun& run) {
+  const List<Rect> parts = in_columns(page, {0.44, {0.56, {0.77, 0.23}}});
+  draw_graph(page, parts[0], run);
+  const int turns = run.contacts.count.size();
+  const int across = (turns + 1) / 2;
+  const List<Rect> lines = in_rows(page, parts[1], {1, 1});
+  for (int k = 0; k < turns; ++k) {
+    const List<Rect> panels = in_columns(page, lines[k / across], List<Cut>(across, 1.0));
+    draw_turn(page, panels[k % across], run, k);
+  }
+  const int contacts = run.contacts.contacts.size();
+  page.note(
+      parts[2], "Gauss-Seidel in parallel",
+      fmt::format(
+          "In one turn no box has two contacts, so no contact waits for another: {} turns for {} contacts. "
+          "{} boxes at the bottom: {} turns of {}.",
+          turns, contacts, larger_base, run.larger.count.size(), counts_text(run.larger)));
 }
 
 }  // namespace cairn::everybody

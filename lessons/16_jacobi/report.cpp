@@ -1,18 +1,9 @@
 // What lesson 16 prints, and the claims that it makes.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::everybody {
 
 namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 std::string numbers(const List<double>& values, const char* form) {
   std::string line;

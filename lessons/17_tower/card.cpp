@@ -1,5 +1,5 @@
 // Lesson 17: its card.
-#include "lessons/card.hpp"
+#include "lessons/kit/card.hpp"
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Exercise 17, graded: the loads of lesson 17's tower, of one with boxes of 2 and 0.5 kg, and of one whose
 // upper box is thrown off.
-#include <fmt/format.h>
-
 #include "exercise.cpp"
+
+#include <fmt/format.h>
 
 namespace cairn::exercise17 {
 namespace {

@@ -3,15 +3,7 @@
 // tells which algorithm has been at work, in which order, with how many sweeps. So the same tower is stepped
 // by PGS, by SI, by a program that somebody else wrote, and by fifteen lines of plain loops, once with a warm
 // start and once without; and then their loads are laid beside each other, step by step.
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "tower.hpp"
+#include "lesson.hpp"
 
 namespace {
 

@@ -1,25 +1,9 @@
 // One tower with the loads of three engines, and charts of these loads and of their differences.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::tower {
 
 namespace {
-
-using render::Page;
-using render::Rect;
-using render::SeriesStyle;
-
-using Runs = std::shared_ptr<const TowerRuns>;
 
 FixedList<SeriesStyle, 3> engine_styles(const Page& page) {
   return {page.theme().pgs, page.theme().si, page.theme().box2d};
@@ -36,8 +20,8 @@ double largest_load(const TowerRuns& runs) {
 }
 
 /// Beside each box its load under each engine, one bar below the other, and a tick at the weight above.
-void draw_bars(Page& page, const render::Camera& camera, const TowerRuns& runs,
-               const List<EngineRun>& engines, int frame, Shown shown) {
+void draw_bars(Page& page, const Camera& camera, const TowerRuns& runs, const List<EngineRun>& engines,
+               int frame, Shown shown) {
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   const Rect& view = camera.viewport;
   const double left = camera.project({0.5, 0}).x() + 14, height = 0.26 * camera.scale;
@@ -59,7 +43,7 @@ void draw_bars(Page& page, const render::Camera& camera, const TowerRuns& runs,
 void draw_tower(Page& page, const Rect& rect, const TowerRuns& runs, const List<EngineRun>& engines,
                 int frame, Shown shown) {
   const Rect view = page.panel(rect, "SI's tower, and loads (N); tick: the weight above");
-  render::Camera camera = render::fit(view, {{-1.2, -0.6}, {1.2, runs.settings.boxes + 0.4}});
+  Camera camera = fit(view, {{-1.2, -0.6}, {1.2, runs.settings.boxes + 0.4}});
   camera.center.x() = 0.5 * view.width / camera.scale - 1.2;  // the tower at the left
   draw_world(page, camera, engines[1].frames[frame],
              {.numbers = camera.scale >= 20, .contacts = false, .penetration = false});
@@ -68,19 +52,19 @@ void draw_tower(Page& page, const Rect& rect, const TowerRuns& runs, const List<
   const double line = 1.4 * page.label().size;
   for (int e = 0; e < engines.size(); ++e) {
     const bool is_asked = shown == Shown::si_alone && e != 1;
-    render::TextStyle text{.size = render::large_text, .color = styles[e].color, .bold = true};
-    text.align = render::Align::right;
-    page.canvas().text({view.x + view.width, view.y + (e + 1) * line},
-                       fmt::format("{}: {} N", engines[e].name,
-                                   is_asked ? "?" : render::fixed(engines[e].loads[frame][0], 2)),
-                       text);
+    TextStyle text{.size = render::large_text, .color = styles[e].color, .bold = true};
+    text.align = Align::right;
+    page.canvas().text(
+        {view.x + view.width, view.y + (e + 1) * line},
+        fmt::format("{}: {} N", engines[e].name, is_asked ? "?" : fixed(engines[e].loads[frame][0], 2)),
+        text);
   }
 }
 
 /// The lowest load step by step, for all three engines: three dashed lines that make one.
-render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
+Plot load_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
   const TowerSettings& settings = runs.settings;
-  render::Plot plot{.title = "load λ_{1} on the lowest box (N), step by step"};
+  Plot plot{.title = "load λ_{1} on the lowest box (N), step by step"};
   plot.x = {.title = "step", .min = 0, .max = settings.steps};
   plot.y = {.min = 0, .max = 1.15 * largest_load(runs)};
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
@@ -97,24 +81,23 @@ render::Plot load_plot(const Page& page, const TowerRuns& runs, const List<Engin
 }
 
 /// The largest difference of any load, step by step.
-render::Series gap_series(const std::string& name, const SeriesStyle& style, const Loads& one,
-                          const Loads& other) {
+Series gap_series(const std::string& name, const SeriesStyle& style, const Loads& one, const Loads& other) {
   List<double> gaps;
   for (int k = 0; k < one.size(); ++k) {
     double largest = 0;
     for (int i = 0; i < one[k].size(); ++i) largest = std::max(largest, std::abs(one[k][i] - other[k][i]));
     gaps.push_back(largest);
   }
-  render::Series series = over_steps(name, style, gaps);
+  Series series = over_steps(name, style, gaps);
   series.markers = false;
   return series;
 }
 
 /// How far the loads of PGS and Box2D are from SI's, and how far those are from the exact ones.
-render::Plot gap_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
-  render::Plot plot{.title = "largest difference of any load (N), on a logarithmic axis"};
+Plot gap_plot(const Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
+  Plot plot{.title = "largest difference of any load (N), on a logarithmic axis"};
   plot.x = {.title = "step", .min = 0, .max = runs.settings.steps};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 1e-15, .max = 1e3};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 1e3};
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   List<double> weights;
   for (int i = runs.settings.boxes; i > 0; --i) weights.push_back(i * runs.settings.gravity);
@@ -127,23 +110,22 @@ render::Plot gap_plot(const Page& page, const TowerRuns& runs, const List<Engine
 }
 
 void draw_step(Page& page, const TowerRuns& runs, const List<EngineRun>& engines, int frame) {
-  const List<Rect> parts = columns(page.area(), {0.48, 0.52}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, {0.48, {0.52, {1, 1}}});
   draw_tower(page, parts[0], runs, engines, frame, Shown::all);
-  const List<Rect> plots = rows(parts[1], {1, 1}, page.sizes().gap);
-  draw_plot(page, plots[0], load_plot(page, runs, engines, frame));
-  draw_plot(page, plots[1], gap_plot(page, runs, engines, frame));
+  draw_plot(page, parts[1], load_plot(page, runs, engines, frame));
+  draw_plot(page, parts[2], gap_plot(page, runs, engines, frame));
 }
 
-Shot step_shot(const Runs& runs, bool is_warm, int frame) {
-  const List<EngineRun>& engines = is_warm ? runs->warm : runs->cold;
+Shot step_shot(const TowerRuns& runs, bool is_warm, int frame) {
+  const List<EngineRun>& engines = is_warm ? runs.warm : runs.cold;
   const std::string start = is_warm ? "warm start" : "cold start";
-  return {.state = fmt::format("{} · step {} · t = {:.2f} s", start, frame, frame * runs->settings.dt),
+  return {.state = fmt::format("{} · step {} · t = {:.2f} s", start, frame, frame * runs.settings.dt),
           .alt = fmt::format(
               "Step {}, {}: the lowest box carries {:.2f} N under PGS, {:.2f} N under SI and {:.2f} N "
               "under Box2D; SI's tower is {:.2f} m high.",
               frame, start, engines[0].loads[frame][0], engines[1].loads[frame][0],
               engines[2].loads[frame][0], engines[1].frames[frame].bodies.back().pose.position.y() + 0.5),
-          .draw = [runs, &engines, frame](Page& page) { draw_step(page, *runs, engines, frame); }};
+          .draw = [&runs, &engines, frame](Page& page) { draw_step(page, runs, engines, frame); }};
 }
 
 std::string answer_text(const TowerRuns& runs) {
@@ -151,23 +133,22 @@ std::string answer_text(const TowerRuns& runs) {
       "Number 3, the order: from the top down Box2D is up to {} N off. In SI's order it is off by at most {} "
       "N, "
       "the rounding of single precision.",
-      render::fixed(gap_of_orders(runs), 1), render::significant(gap_to_box2d(runs), 2));
+      fixed(gap_of_orders(runs), 1), significant(gap_to_box2d(runs), 2));
 }
 
 }  // namespace
 
-List<Shot> tower_shots(const TowerRuns& all) {
-  const Runs runs = std::make_shared<const TowerRuns>(all);
-  const int last = runs->settings.steps, wrong = std::min(5, last);
-  const auto draw_question = [runs, wrong](Page& page, const Rect& rect) {
-    draw_tower(page, rect, *runs, runs->warm, wrong, Shown::si_alone);
+List<Shot> tower_shots(const TowerRuns& runs) {
+  const int last = runs.settings.steps, wrong = std::min(5, last);
+  const auto draw_question = [&runs, wrong](Page& page, const Rect& rect) {
+    draw_tower(page, rect, runs, runs.warm, wrong, Shown::si_alone);
   };
   List<Shot> shots = {question_shot(
       card(), {.state = fmt::format("after {} steps", wrong),
                .alt = fmt::format(
                    "A tower of {} boxes with the loads that SI has found in step {}, question marks for "
                    "PGS and Box2D, and the question",
-                   runs->settings.boxes, wrong),
+                   runs.settings.boxes, wrong),
                .scene = draw_question})};
   for (const bool is_warm : {true, false}) {
     for (int k = 1; k <= last; ++k) {
@@ -175,13 +156,13 @@ List<Shot> tower_shots(const TowerRuns& all) {
       shots.back().key = k == wrong || k == last || (is_warm && k == 1);
     }
   }
-  const auto draw_answer = [runs, last](Page& page, const Rect& rect) {
-    render::Plot plot = gap_plot(page, *runs, runs->warm, last);
+  const auto draw_answer = [&runs, last](Page& page, const Rect& rect) {
+    Plot plot = gap_plot(page, runs, runs.warm, last);
     plot.now = {};
-    plot.series[0] = gap_series("top down − SI", {.color = page.theme().box2d.color}, runs->from_top[1].loads,
-                                runs->warm[1].loads);
-    const double gap = gap_to_box2d(*runs);
-    plot.goals.push_back({gap, render::significant(gap, 2) + " N"});
+    plot.series[0] = gap_series("top down − SI", {.color = page.theme().box2d.color}, runs.from_top[1].loads,
+                                runs.warm[1].loads);
+    const double gap = gap_to_box2d(runs);
+    plot.goals.push_back({gap, significant(gap, 2) + " N"});
     draw_plot(page, rect, plot);
   };
   shots.push_back(
@@ -191,7 +172,7 @@ List<Shot> tower_shots(const TowerRuns& all) {
                           "tens of newtons, in the same order by some hundred thousandths, PGS by "
                           "less still; and the answer.",
                    .scene = draw_answer},
-                  answer_text(*runs)));
+                  answer_text(runs)));
   return shots;
 }
 

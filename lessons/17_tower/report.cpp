@@ -1,11 +1,5 @@
 // What lesson 17 prints, and the claims that it makes.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::tower {
 

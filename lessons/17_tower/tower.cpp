@@ -1,10 +1,6 @@
 // The scene, the loads of a snapshot, and Box2D.
-#include "tower.hpp"
+#include "lesson.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "lessons/lesson.hpp"
 #ifdef CAIRN_HAVE_BOX2D
 #include "reference/box2d_world.hpp"
 #endif

@@ -1,10 +1,9 @@
 // Exercise 18, graded: sweeps over towers of mixed masses beside sweeps with one mistake each, and the sweeps
 // that Young's ω saves.
-#include <fmt/format.h>
-
-#include <numeric>
-
 #include "exercise.cpp"
+
+#include <fmt/format.h>
+#include <numeric>
 
 namespace cairn::exercise18 {
 namespace {

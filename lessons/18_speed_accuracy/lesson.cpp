@@ -4,16 +4,7 @@
 // solvers, each watched sweep by sweep. One of them differs from SI by a single factor, ω, and needs a
 // twelfth of the sweeps. Then larger towers, fewer bits, warm starts, and what a row update costs on this
 // machine.
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "cost.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace {
 

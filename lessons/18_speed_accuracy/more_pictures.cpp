@@ -1,20 +1,9 @@
 // Errors against sweeps and work; tower sizes, precision, the time of a row update.
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::cost {
 
 namespace {
-
-using render::AxisScale;
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 constexpr double first_sweep = 3;  // of the curves: before it all errors are nearly 1
 constexpr double last_error = 1e-6;
@@ -24,20 +13,19 @@ constexpr double last_error = 1e-6;
 void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work) {
   const std::string what = is_work ? "multiply-adds" : "sweeps";
   const double work = is_work ? run.curves[si_curve].work : 1;
-  render::Plot plot{.title = "error against " + what,
-                    .x = {.title = what, .scale = AxisScale::logarithmic, .min = first_sweep * work},
-                    .y = {.title = "", .scale = AxisScale::logarithmic, .min = last_error, .max = 2}};
+  Plot plot{.title = "error against " + what,
+            .x = {.title = what, .scale = AxisScale::logarithmic, .min = first_sweep * work},
+            .y = {.title = "", .scale = AxisScale::logarithmic, .min = last_error, .max = 2}};
   for (int which = 0; which < run.curves.size(); ++which) {
     const Curve& curve = run.curves[which];
-    render::Series& series = plot.series.emplace_back();
+    Series& series = plot.series.emplace_back();
     series.name = short_name(run, which);
     series.style = style_of(page, which);
     double next = first_sweep;
     for (int k = 1; k < curve.error.size() && curve.error[k] > last_error / 10; ++k) {
       if (k < next) continue;
       next = std::max(k + 1.0, k * 1.03);
-      series.x.push_back((is_work ? curve.work : 1) * k);
-      series.y.push_back(curve.error[k]);
+      series.add((is_work ? curve.work : 1) * k, curve.error[k]);
     }
   }
   if (is_work) {
@@ -49,47 +37,41 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
 }
 
 void draw_sizes(Page& page, const CostRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.56, 0.44}, page.sizes().gap);
-  render::Plot plot{.title = "sweeps until 1 % is left"};
+  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.42, 0.58}}});
+  Plot plot{.title = "sweeps until 1 % is left"};
   plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 30};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3000};
-  render::Series square{.name = "1.78 n²", .style = page.theme().exact, .markers = false};
-  square.style.marker = render::Marker::none;
-  for (const double n : {2.0, 30.0}) {
-    square.x.push_back(n);
-    square.y.push_back(1.78 * n * n);
-  }
-  render::Series si{.name = "SI", .style = style_of(page, si_curve)};
-  render::Series sor{.name = "SOR", .style = style_of(page, sor_curve)};
-  render::TableView table{.header = {"boxes", "SI", "SOR", "ratio"}};
+  Series square{.name = "1.78 n²", .style = page.theme().exact, .markers = false};
+  square.style.marker = Marker::none;
+  for (const double n : {2.0, 30.0}) square.add(n, 1.78 * n * n);
+  Series si{.name = "SI", .style = style_of(page, si_curve)};
+  Series sor{.name = "SOR", .style = style_of(page, sor_curve)};
+  TableView table{.header = {"boxes", "SI", "SOR", "ratio"}};
   for (const SizeCost& size : run.sizes) {
-    si.x.push_back(size.boxes);
-    si.y.push_back(size.si);
-    sor.x.push_back(size.boxes);
-    sor.y.push_back(size.sor);
+    si.add(size.boxes, size.si);
+    sor.add(size.boxes, size.sor);
     table.rows.push_back({fmt::format("{}", size.boxes), fmt::format("{}", size.si),
                           fmt::format("{}", size.sor), fixed(static_cast<double>(size.si) / size.sor, 1)});
   }
   plot.series = {square, si, sor};
-  draw_plot(page, halves[0], plot);
-  const List<Rect> right = rows(halves[1], {0.42, 0.58}, page.sizes().gap);
-  page.table(right[0], "sweeps until 1 % is left", table);
-  page.note(right[1], "The scene decides",
+  draw_plot(page, parts[0], plot);
+  page.table(parts[1], "sweeps until 1 % is left", table);
+  page.note(parts[2], "The scene decides",
             "A sweep passes loads on from box to box. Twice as many boxes take four times "
             "the sweeps, and each sweep has twice the rows. With the best ω they take only twice the sweeps, "
             "but nobody knows the best ω of a pile.");
 }
 
 void draw_precision(Page& page, const CostRun& run) {
-  const List<Rect> halves = rows(page.area(), {0.74, 0.26}, page.sizes().gap);
-  render::Plot plot{.title = "error of λ, sweep by sweep"};
+  const List<Rect> halves = in_rows(page, {0.74, 0.26});
+  Plot plot{.title = "error of λ, sweep by sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
-  const render::SeriesStyle single{page.theme().exact.color, {2, 5}, render::Marker::diamond};
+  const SeriesStyle single{page.theme().exact.color, {2, 5}, Marker::diamond};
   plot.series = {over_steps("float", single, run.single.error),
                  over_steps("double", page.theme().si, run.pgs.error)};
   draw_plot(page, halves[0], plot);
-  const std::string least = render::significant(run.single.error.back(), 2);
+  const std::string least = significant(run.single.error.back(), 2);
   page.note(
       halves[1], "The last digits",
       fmt::format(
@@ -99,45 +81,41 @@ void draw_precision(Page& page, const CostRun& run) {
           least));
 }
 
-render::Plot update_plot(const Page& page, const CostRun& run) {
-  render::Plot plot{.title = "time of one row update (ns), this machine"};
+Plot update_plot(const Page& page, const CostRun& run) {
+  Plot plot{.title = "time of one row update (ns), this machine"};
   plot.x = {.title = "rows", .scale = AxisScale::logarithmic, .min = 8, .max = 250};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5};
-  const render::Color color = page.theme().pgs.color;
-  const FixedList<std::pair<int, render::SeriesStyle>, 4> chosen = {
+  const Color color = page.theme().pgs.color;
+  const FixedList<std::pair<int, SeriesStyle>, 4> chosen = {
       {{si_time, page.theme().si},
-       {sparse_time, {color, {2, 5}, render::Marker::diamond}},
+       {sparse_time, {color, {2, 5}, Marker::diamond}},
        {dense_time, page.theme().pgs},
-       {naive_time, {color, {10, 5, 2, 5}, render::Marker::triangle}}}};
+       {naive_time, {color, {10, 5, 2, 5}, Marker::triangle}}}};
   for (const auto& one : chosen) {
     const SolverTime& time = run.times[one.first];
-    render::Series series{.name = time.name, .style = one.second};
-    for (int k = 0; k < timed_rows.size(); ++k) {
-      series.x.push_back(timed_rows[k]);
-      series.y.push_back(time.nanoseconds[k]);
-    }
+    Series series{.name = time.name, .style = one.second};
+    for (int k = 0; k < timed_rows.size(); ++k) series.add(timed_rows[k], time.nanoseconds[k]);
     plot.series.push_back(series);
   }
   return plot;
 }
 
-render::TableView update_table(const CostRun& run) {
-  render::TableView table{.header = {"ns", "10 rows", "50", "200"}};
+TableView update_table(const CostRun& run) {
+  TableView table{.header = {"ns", "10 rows", "50", "200"}};
   for (const SolverTime& time : run.times) {
     table.rows.push_back({time.name});
     for (int k = 0; k < timed_rows.size(); ++k) {
-      table.rows.back().push_back(render::significant(time.nanoseconds[k], 2));
+      table.rows.back().push_back(significant(time.nanoseconds[k], 2));
     }
   }
   return table;
 }
 
 void draw_updates(Page& page, const CostRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.5, 0.5}, page.sizes().gap);
-  draw_plot(page, halves[0], update_plot(page, run));
-  const List<Rect> right = rows(halves[1], {0.64, 0.36}, page.sizes().gap);
-  page.table(right[0], "one row update of a tower, preparation included", update_table(run));
-  page.note(right[1], "The machine",
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.64, 0.36}}});
+  draw_plot(page, parts[0], update_plot(page, run));
+  page.table(parts[1], "one row update of a tower, preparation included", update_table(run));
+  page.note(parts[2], "The machine",
             "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "
             "for each λ: both grow with the tower. The last line is written for this tower only and looks "
             "nothing up.");
@@ -145,11 +123,11 @@ void draw_updates(Page& page, const CostRun& run) {
 
 }  // namespace
 
-List<Shot> digit_shots(const Runs& run) {
-  const auto draw_both = [run](Page& page) {
-    const List<Rect> halves = rows(page.area(), {1, 1}, page.sizes().gap);
-    draw_digits(page, halves[0], *run, false);
-    draw_digits(page, halves[1], *run, true);
+List<Shot> digit_shots(const CostRun& run) {
+  const auto draw_both = [&run](Page& page) {
+    const List<Rect> halves = in_rows(page, {1, 1});
+    draw_digits(page, halves[0], run, false);
+    draw_digits(page, halves[1], run, true);
   };
   return {
       {.state = "sweeps, and work",
@@ -157,23 +135,20 @@ List<Shot> digit_shots(const Runs& run) {
               "momentum fall; by multiply-adds momentum falls behind SOR.",
        .draw = draw_both,
        .key = true},
-      {.state = "3, 5, 10, 20 boxes",
-       .alt =
-           "Sweeps until 1 % is left against the number of boxes: SI's grow like its square, those with the "
-           "best ω like the number.",
-       .draw = [run](Page& page) { draw_sizes(page, *run); },
-       .key = true},
-      {.state = "float, double",
-       .alt = fmt::format("Errors of SI in float and in double, sweep by sweep: float ends at {:.1e}.",
-                          run->single.error.back()),
-       .draw = [run](Page& page) { draw_precision(page, *run); },
-       .key = true},
-      {.state = "time of a row update",
-       .alt =
-           "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
-           "growing with the rows for dense and naive PGS.",
-       .draw = [run](Page& page) { draw_updates(page, *run); },
-       .key = true}};
+      key_shot(
+          run, "3, 5, 10, 20 boxes",
+          "Sweeps until 1 % is left against the number of boxes: SI's grow like its square, those with the "
+          "best ω like the number.",
+          draw_sizes),
+      key_shot(run, "float, double",
+               fmt::format("Errors of SI in float and in double, sweep by sweep: float ends at {:.1e}.",
+                           run.single.error.back()),
+               draw_precision),
+      key_shot(
+          run, "time of a row update",
+          "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
+          "growing with the rows for dense and naive PGS.",
+          draw_updates)};
 }
 
 }  // namespace cairn::cost

@@ -1,22 +1,9 @@
 // The tower and its loads, sweep by sweep under four solvers; the question, and the answer.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "lessons/question.hpp"
-#include "lessons/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::cost {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 constexpr double least_asked = 1e-9;  // of the error
 const FixedList<int, 8> shown = {1, 2, 5, 10, 20, 50, 100, 200};
@@ -31,7 +18,7 @@ double error_after(const Curve& curve, int sweep) {
 
 std::string error_text(double error) {
   if (error <= least_error) return "< 10^{−12}";
-  return error > 5e-4 ? fixed(100 * error, 1) + " %" : render::significant(error, 2);
+  return error > 5e-4 ? fixed(100 * error, 1) + " %" : significant(error, 2);
 }
 
 /// The tower; beside each box what a solver gives it after so many sweeps, and a tick at what it should be.
@@ -46,15 +33,15 @@ void draw_tower(Page& page, const Rect& inside, const CostRun& run, int which, i
 void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int sweep) {
   const Rect inside = draw_solver_panel(page, rect, style_of(page, which), short_name(run, which), "");
   draw_tower(page, inside, run, which, sweep);
-  render::TextStyle text = page.value();
+  TextStyle text = page.value();
   text.size = page.sizes().question;
   text.bold = true;
-  text.align = render::Align::right;
+  text.align = Align::right;
   page.canvas().text({inside.x + inside.width, inside.y + text.size},
                      error_text(error_after(run.curves[which], sweep)), text);
 }
 
-render::Series series_of(const Page& page, const CostRun& run, int which, int sweeps) {
+Series series_of(const Page& page, const CostRun& run, int which, int sweeps) {
   const List<double>& error = run.curves[which].error;
   List<double> shown_errors;
   for (int k = 0; k <= sweeps && k < error.size(); ++k)
@@ -62,17 +49,17 @@ render::Series series_of(const Page& page, const CostRun& run, int which, int sw
   return over_steps(short_name(run, which), style_of(page, which), shown_errors);
 }
 
-render::Plot error_plot(double last_sweep, render::AxisScale scale, double least) {
-  const bool is_linear = scale == render::AxisScale::linear;
+Plot error_plot(double last_sweep, AxisScale scale, double least) {
+  const bool is_linear = scale == AxisScale::linear;
   return {.title = "error: of the load that is most wrong, over the largest load; on a logarithmic axis",
           .x = {.title = "sweep", .min = 0, .max = last_sweep},
           .y = {.title = "", .scale = scale, .min = least, .max = is_linear ? 1.05 : 2}};
 }
 
 void draw_sweep(Page& page, const CostRun& run, int sweep) {
-  const List<Rect> parts = rows(page.area(), {0.54, 0.46}, page.sizes().gap);
-  const List<Rect> panels = columns(parts[0], {1, 1, 1, 1}, page.sizes().gap);
-  render::Plot plot = error_plot(kept_sweeps, render::AxisScale::logarithmic, 1e-6);
+  const List<Rect> parts = in_rows(page, {0.54, 0.46});
+  const List<Rect> panels = in_columns(page, parts[0], {1, 1, 1, 1});
+  Plot plot = error_plot(kept_sweeps, AxisScale::logarithmic, 1e-6);
   for (int which = 0; which < run.curves.size(); ++which) {
     draw_loads(page, panels[which], run, which, sweep);
     plot.series.push_back(series_of(page, run, which, kept_sweeps));
@@ -82,14 +69,14 @@ void draw_sweep(Page& page, const CostRun& run, int sweep) {
   draw_plot(page, parts[1], plot);
 }
 
-Shot sweep_shot(const Runs& run, int sweep, bool key) {
+Shot sweep_shot(const CostRun& run, int sweep, bool key) {
   std::string alt = fmt::format("After {} sweeps the largest error is", sweep);
-  for (int which = 0; which < run->curves.size(); ++which)
-    alt += fmt::format(" {:.2g} with {},", error_after(run->curves[which], sweep), run->curves[which].name);
+  for (int which = 0; which < run.curves.size(); ++which)
+    alt += fmt::format(" {:.2g} with {},", error_after(run.curves[which], sweep), run.curves[which].name);
   alt.back() = '.';
   return {.state = fmt::format("sweep {} · ticks: exact loads", sweep),
           .alt = alt,
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
           .key = key};
 }
 
@@ -97,20 +84,17 @@ std::string point_text(int sweep, const std::string& error) { return fmt::format
 
 /// The tower, and SI's error until 1 % is left.
 void draw_question(Page& page, const Rect& rect, const CostRun& run) {
-  const List<Rect> parts = columns(rect, {0.44, 0.56}, page.sizes().gap);
+  const List<Rect> parts = in_columns(page, rect, {0.44, 0.56});
   const List<double>& error = run.curves[si_curve].error;
   const int tenth = sweeps_to(error, 0.1), hundredth = sweeps_to(error, 0.01);
   draw_tower(page, page.panel(parts[0], fmt::format("λ after {} sweeps of SI, tick: exact", hundredth)), run,
              si_curve, hundredth);
-  render::Plot plot = error_plot(1.3 * hundredth, render::AxisScale::linear, 0);
-  const render::SeriesStyle asked{page.theme().text, {}, render::Marker::circle};
+  Plot plot = error_plot(1.3 * hundredth, AxisScale::linear, 0);
+  const SeriesStyle asked{page.theme().text, {}, Marker::circle};
   plot.series = {series_of(page, run, si_curve, hundredth), {.style = asked, .line = false}};
   plot.series[0].name.clear();
   plot.series[0].markers = false;
-  for (const int sweep : {tenth, hundredth}) {
-    plot.series[1].x.push_back(sweep);
-    plot.series[1].y.push_back(error[sweep]);
-  }
+  for (const int sweep : {tenth, hundredth}) plot.series[1].add(sweep, error[sweep]);
   plot.labels = {{static_cast<double>(tenth), error[tenth], point_text(tenth, "10 %")},
                  {static_cast<double>(hundredth), error[hundredth], point_text(hundredth, "1 %")}};
   plot.title = "error of SI";
@@ -120,9 +104,8 @@ void draw_question(Page& page, const Rect& rect, const CostRun& run) {
 /// SI's error until a billionth is left, and a stair of which each step is one digit.
 void draw_answer(Page& page, const Rect& rect, const CostRun& run) {
   const List<double>& error = run.curves[si_curve].error;
-  render::Plot plot =
-      error_plot(1.15 * sweeps_to(error, least_asked), render::AxisScale::logarithmic, least_asked / 2);
-  render::Series stair{.style = page.theme().exact, .markers = false};
+  Plot plot = error_plot(1.15 * sweeps_to(error, least_asked), AxisScale::logarithmic, least_asked / 2);
+  Series stair{.style = page.theme().exact, .markers = false};
   double before = 0, share = 1;
   for (int digit = 1; digit <= 9; ++digit) {
     const double sweep = sweeps_to(error, std::pow(10, -digit));
@@ -157,11 +140,11 @@ std::string answer_text(const CostRun& run) {
 }  // namespace
 
 // SOR has a colour of its own; PGS with momentum has that of PGS.
-render::SeriesStyle style_of(const Page& page, int curve) {
+SeriesStyle style_of(const Page& page, int curve) {
   if (curve == si_curve) return page.theme().si;
   if (curve == jacobi_curve) return page.theme().jacobi;
-  if (curve == sor_curve) return {page.theme().box2d.color, {}, render::Marker::circle};
-  return {page.theme().pgs.color, {2, 5}, render::Marker::triangle};
+  if (curve == sor_curve) return {page.theme().box2d.color, {}, Marker::circle};
+  return {page.theme().pgs.color, {2, 5}, Marker::triangle};
 }
 
 std::string short_name(const CostRun& run, int curve) {
@@ -170,17 +153,16 @@ std::string short_name(const CostRun& run, int curve) {
   return curve == si_curve ? "SI" : "momentum";
 }
 
-List<Shot> cost_shots(const CostRun& recorded) {
-  const Runs run = std::make_shared<const CostRun>(recorded);
-  const int hundredth = sweeps_to(run->curves[si_curve].error, 0.01);
+List<Shot> cost_shots(const CostRun& run) {
+  const int hundredth = sweeps_to(run.curves[si_curve].error, 0.01);
   List<Shot> shots;
   shots.push_back(question_shot(
       card(),
       {.state = "until 1 % is left",
        .alt = fmt::format("A tower of {} boxes with the loads that SI has found after {} sweeps, its error "
                           "over these sweeps, and the question",
-                          run->settings.boxes, hundredth),
-       .scene = [run](Page& page, const Rect& rect) { draw_question(page, rect, *run); }}));
+                          run.settings.boxes, hundredth),
+       .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }}));
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
   for (const Shot& shot : digit_shots(run)) shots.push_back(shot);
@@ -190,8 +172,8 @@ List<Shot> cost_shots(const CostRun& recorded) {
                    .alt = "SI's error until a billionth of it is left: a line on a logarithmic axis, along "
                           "which every digit "
                           "takes as many sweeps; and the answer.",
-                   .scene = [run](Page& page, const Rect& rect) { draw_answer(page, rect, *run); }},
-                  answer_text(*run)));
+                   .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
+                  answer_text(run)));
   return shots;
 }
 

@@ -1,19 +1,10 @@
 // What lesson 18 prints, and the claims that it makes.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/page.hpp"
+#include "lesson.hpp"
 
 namespace cairn::cost {
 
 namespace {
 
-const double epsilon = std::numeric_limits<double>::epsilon();
 const FixedList<int, 5> shown_sweeps = {10, 20, 50, 100, 200};
 const FixedList<int, 5> shown_digits = {1, 2, 3, 6, 9};
 
@@ -84,7 +75,7 @@ void print_others(Lesson& lesson, const CostRun& run) {
   for (const SolverTime& time : run.times) {
     line = fmt::format("   {:<42}", time.name);
     for (const double nanoseconds : time.nanoseconds)
-      line += fmt::format(" {:>9}", render::significant(nanoseconds, 2));
+      line += fmt::format(" {:>9}", significant(nanoseconds, 2));
     lesson.print(line);
   }
   lesson.print();

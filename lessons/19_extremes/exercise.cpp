@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise19 {
 

@@ -1,8 +1,8 @@
 // Exercise 19, graded: what is predicted, what is measured sweep by sweep, by (R / (1 + R))ᵏ, and what ends
 // it.
-#include <fmt/format.h>
-
 #include "exercise.cpp"
+
+#include <fmt/format.h>
 
 namespace cairn::exercise19 {
 namespace {

@@ -3,16 +3,7 @@
 // error, which is hardly anything less. Then eight small worlds, each driven to an edge, under one loop that
 // steps them and measures how far off they are. A stamp says what came of it, and some of what has gone wrong
 // only numbers tell.
-#include "lessons/lesson.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace {
 

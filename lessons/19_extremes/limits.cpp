@@ -1,16 +1,5 @@
 // Small worlds with one question each.
-#include "limits.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <stdexcept>
-#include <utility>
-
-#include "ratio.hpp"
-#include "wall.hpp"
+#include "lesson.hpp"
 
 namespace cairn::edges {
 

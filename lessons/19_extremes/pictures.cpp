@@ -1,56 +1,42 @@
 // Two stacks of two boxes: the load that each sweep finds, and how many sweeps any ratio of masses takes.
-#include <fmt/format.h>
+#include "lesson.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "lessons/question.hpp"
-#include "lessons/tower_panel.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
 #include "render/lint.hpp"
-#include "render/matrix.hpp"
-#include "render/plot.hpp"
 
 namespace cairn::edges {
 
 namespace {
-
-using render::fixed;
-using render::Page;
-using render::Rect;
 
 std::string sweeps_text(int count) { return fmt::format("{} sweep{}", count, count == 1 ? "" : "s"); }
 
 const FixedList<int, 8> map_sweeps = {1, 3, 10, 30, 100, 300, 1000, 3000};
 
 /// The style of the stack with the heavy box above, and of the other.
-render::SeriesStyle style_of(const Page& page, double ratio) {
+SeriesStyle style_of(const Page& page, double ratio) {
   return ratio >= 1 ? page.theme().si : page.theme().pgs;
 }
 
 /// The load on the ground as a column that fills up to what both boxes weigh.
-void draw_load(Page& page, const render::Camera& camera, const RatioRun& run, int sweep) {
+void draw_load(Page& page, const Camera& camera, const RatioRun& run, int sweep) {
   const double weight = weight_of(run.ratio), load = run.load[sweep][0];
-  const render::Point left = camera.project({0.75, 0}), full = camera.project({1, 2});
+  const Point left = camera.project({0.75, 0}), full = camera.project({1, 2});
   const double level = left.y() - load / weight * (left.y() - full.y()), width = full.x() - left.x();
   page.canvas().rect({left.x(), level, width, left.y() - level}, {.fill = page.theme().normal});
   page.canvas().rect({left.x(), full.y(), width, left.y() - full.y()},
                      {.outline = page.theme().outline, .outline_width = page.sizes().axis});
-  render::TextStyle text = page.value();
+  TextStyle text = page.value();
   page.canvas().text({left.x(), full.y() - 0.5 * text.size}, fmt::format("{:g} N", weight), text);
   text.bold = true;
   if (sweep == 0) return;
   page.canvas().text(
       {full.x() + 0.5 * text.size, std::min(left.y() - 0.3 * text.size, level + 0.9 * text.size)},
-      render::significant(load, 4) + " N", text);
+      significant(load, 4) + " N", text);
 }
 
 /// One stack, its masses written on its boxes, and beside it the load on the ground.
 void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, const std::string& count) {
   const Rect inside = draw_solver_panel(page, rect, style_of(page, run.ratio), name_of(run.ratio), count);
-  const render::Camera camera = render::fit(inside, {{-0.7, -0.25}, {1.9, 2.25}});
+  const Camera camera = fit(inside, {{-0.7, -0.25}, {1.9, 2.25}});
   page.canvas().push_clip(inside);
   draw_boxes(page, camera, snapshot(World(two_boxes_scene(run.ratio))), run.ratio);
   draw_load(page, camera, run, sweep);
@@ -60,7 +46,7 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, co
 /// The two stacks with the load on the ground after a sweep; `counts` stand above them.
 void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep,
                  const List<std::string>& counts) {
-  const List<Rect> panels = columns(rect, {1, 1}, page.sizes().gap);
+  const List<Rect> panels = in_columns(page, rect, {1, 1});
   const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
   draw_stack(page, panels[0], run_of(run.ratios, run.settings.ratio), sweep, counts[0]);
   draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1), counts[1]);
@@ -69,18 +55,17 @@ void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
 /// The error of both stacks; what is beyond the sweep is pale, and where each is right is marked with its
 /// number once it is there.
 void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep) {
-  render::Plot plot{.title = "error of the load on the ground (%)"};
+  Plot plot{.title = "error of the load on the ground (%)"};
   const int last = run_of(run.ratios, run.settings.ratio).counted;
   plot.x = {.title = "sweep", .min = -0.03 * last, .max = 1.08 * last};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.5, .max = 120};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 0.5, .max = 120};
   for (const double ratio : {run.settings.ratio, 1 / run.settings.ratio}) {
     const RatioRun& each = run_of(run.ratios, ratio);
-    render::Series& series = plot.series.emplace_back();
+    Series& series = plot.series.emplace_back();
     series.style = style_of(page, ratio);
     series.markers = false;
     for (int k = 0; k < each.error.size() && each.error[k] > 0; ++k) {
-      series.x.push_back(k);
-      series.y.push_back(100 * each.error[k]);
+      series.add(k, 100 * each.error[k]);
       if (series.y.back() < 0.1) break;  // below the axis
     }
     if (sweep < each.counted) continue;
@@ -92,12 +77,12 @@ void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
   draw_plot(page, rect, plot);
 }
 
-render::Equation equation_of(const Page& page, const ExtremesRun& run, int sweep) {
+Equation equation_of(const Page& page, const ExtremesRun& run, int sweep) {
   const RatioRun& heavy = run_of(run.ratios, run.settings.ratio);
   const double jv = heavy.speed_jv[sweep][0];
   return {.number = "eq (22), row 1 of " + name_of(heavy.ratio),
           .symbols = "Δλ_{1} = (ζ − j·v) / (A_{11} Δt)",
-          .numbers = fmt::format("= (0 − ({})) / (1 × {:g})", render::significant(jv, 4), time_step),
+          .numbers = fmt::format("= (0 − ({})) / (1 × {:g})", significant(jv, 4), time_step),
           .result = fmt::format("= {} N", fixed(-jv / time_step, 3)),
           .algorithm = fmt::format("λ_{{1}}: {} → {} N", fixed(heavy.load[sweep - 1][0], 2),
                                    fixed(heavy.load[sweep][0], 2)),
@@ -113,28 +98,27 @@ List<std::string> counts_at(const ExtremesRun& run, int sweep) {
 }
 
 void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
-  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
-  const List<Rect> left = rows(halves[0], {0.6, 0.4}, page.sizes().gap);
-  draw_stacks(page, left[0], run, sweep, {"", ""});
-  draw_errors(page, halves[1], run, sweep);
-  page.equation(left[1], equation_of(page, run, sweep));
+  const List<Rect> parts = in_columns(page, {{0.54, {0.6, 0.4}}, 0.46});
+  draw_stacks(page, parts[0], run, sweep, {"", ""});
+  draw_errors(page, parts[2], run, sweep);
+  page.equation(parts[1], equation_of(page, run, sweep));
 }
 
-Shot sweep_shot(const Run& run, int sweep, bool key) {
-  const RatioRun& heavy = run_of(run->ratios, run->settings.ratio);
-  const RatioRun& light = run_of(run->ratios, 1 / run->settings.ratio);
+Shot sweep_shot(const ExtremesRun& run, int sweep, bool key) {
+  const RatioRun& heavy = run_of(run.ratios, run.settings.ratio);
+  const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
   const double found = sweep < light.error.size() ? 1 - light.error[sweep] : 1;
   return {.state = fmt::format("sweep {}", sweep),
           .alt = fmt::format("After sweep {}: {} has found {:.1f} % of the load on the ground, {} {:.1f} %.",
                              sweep, name_of(heavy.ratio), 100 * (1 - heavy.error[sweep]),
                              name_of(light.ratio), 100 * found),
-          .draw = [run, sweep](Page& page) { draw_sweep(page, *run, sweep); },
+          .draw = [&run, sweep](Page& page) { draw_sweep(page, run, sweep); },
           .key = key};
 }
 
-render::MatrixView map_of(const ExtremesRun& run) {
-  render::MatrixView view{.title = "error left (%) after so many sweeps"};
-  view.colors = render::MatrixColors::magnitude;
+MatrixView map_of(const ExtremesRun& run) {
+  MatrixView view{.title = "error left (%) after so many sweeps"};
+  view.colors = MatrixColors::magnitude;
   view.values = Eigen::MatrixXd::Zero(run.ratios.size(), map_sweeps.size());
   for (const int sweep : map_sweeps) view.column_names.push_back(fmt::format("{}", sweep));
   for (int i = 0; i < run.ratios.size(); ++i) {
@@ -151,49 +135,46 @@ render::MatrixView map_of(const ExtremesRun& run) {
 }
 
 void draw_needed(Page& page, const Rect& rect, const ExtremesRun& run) {
-  render::Plot plot{.title = "sweeps to 1 %"};
-  plot.x = {.title = "mass above / mass below", .scale = render::AxisScale::logarithmic};
-  plot.y = {.title = "", .scale = render::AxisScale::logarithmic, .min = 0.7, .max = 1e5};
-  render::Series formula{.name = "", .style = page.theme().exact, .markers = false};
-  render::Series counted{.name = "", .style = page.theme().exact, .line = false};
-  counted.style.marker = render::Marker::square;
+  Plot plot{.title = "sweeps to 1 %"};
+  plot.x = {.title = "mass above / mass below", .scale = AxisScale::logarithmic};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 0.7, .max = 1e5};
+  Series formula{.name = "", .style = page.theme().exact, .markers = false};
+  Series counted{.name = "", .style = page.theme().exact, .line = false};
+  counted.style.marker = Marker::square;
   for (int i = 0; i <= 70; ++i) {
     const double ratio = std::pow(10, -3 + i / 10.0);
-    formula.x.push_back(ratio);
-    formula.y.push_back(std::max(1.0, std::log(goal) / std::log(rate_by_formula(ratio))));
+    formula.add(ratio, std::max(1.0, std::log(goal) / std::log(rate_by_formula(ratio))));
   }
   for (const RatioRun& each : run.ratios) {
     if (each.ratio > 10000 || each.ratio < 0.001) continue;
-    counted.x.push_back(each.ratio);
-    counted.y.push_back(each.counted);
+    counted.add(each.ratio, each.counted);
   }
   plot.series = {formula, counted};
   draw_plot(page, rect, plot);
 }
 
 void draw_map(Page& page, const ExtremesRun& run) {
-  const List<Rect> halves = columns(page.area(), {0.54, 0.46}, page.sizes().gap);
-  draw_matrix(page, page.panel(halves[0], ""), map_of(run));
-  const List<Rect> right = rows(halves[1], {0.62, 0.38}, page.sizes().gap);
-  draw_needed(page, right[0], run);
-  page.note(right[1], "What decides",
+  const List<Rect> parts = in_columns(page, {0.54, {0.46, {0.62, 0.38}}});
+  draw_matrix(page, page.panel(parts[0], ""), map_of(run));
+  draw_needed(page, parts[1], run);
+  page.note(parts[2], "What decides",
             "A sweep leaves R / (1 + R) of the error, where R is the mass above over the mass below. "
             "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are measured.");
 }
 
 /// The two stacks, sweep by sweep, and the map of all ratios.
-List<Shot> ratio_shots(const Run& run) {
-  const int last = run_of(run->ratios, run->settings.ratio).counted;
+List<Shot> ratio_shots(const ExtremesRun& run) {
+  const int last = run_of(run.ratios, run.settings.ratio).counted;
   List<Shot> shots;
   for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000}) {
     if (sweep < last) shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10));
   }
   shots.push_back(sweep_shot(run, last, true));
-  shots.push_back({.state = "all masses",
-                   .alt = "A map of the error that is left, by ratio of masses and number of sweeps, and the "
-                          "sweeps that each ratio takes to 1 %: about 4.6 times the ratio.",
-                   .draw = [run](Page& page) { draw_map(page, *run); },
-                   .key = true});
+  shots.push_back(
+      key_shot(run, "all masses",
+               "A map of the error that is left, by ratio of masses and number of sweeps, and the "
+               "sweeps that each ratio takes to 1 %: about 4.6 times the ratio.",
+               draw_map));
   return shots;
 }
 
@@ -203,46 +184,44 @@ std::string name_of(double ratio) {
   return ratio >= 1 ? fmt::format("{:g} kg on 1 kg", ratio) : fmt::format("1 kg on {:g} kg", 1 / ratio);
 }
 
-void draw_boxes(Page& page, const render::Camera& camera, const Snapshot& now, double ratio) {
+void draw_boxes(Page& page, const Camera& camera, const Snapshot& now, double ratio) {
   draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
   const List<double> masses = masses_of(ratio);
   for (int i = 0; i < 2; ++i) {
     const Vec2<double>& middle = now.bodies[{i + 1}].pose.position;
-    const render::Point corner = camera.project(middle + Vec2<double>(-0.5, 0.5));
-    const render::Color fill = masses[i] > 1 ? page.theme().static_hatch : page.theme().body;
+    const Point corner = camera.project(middle + Vec2<double>(-0.5, 0.5));
+    const Color fill = masses[i] > 1 ? page.theme().static_hatch : page.theme().body;
     page.canvas().rect(
         {corner.x(), corner.y(), camera.scale, camera.scale},
         {.fill = fill, .outline = page.theme().outline, .outline_width = page.sizes().outline});
-    render::TextStyle text = camera.scale < 80 ? page.tick() : page.label();
-    text.color = render::ink_on(fill), text.bold = true, text.align = render::Align::center;
-    page.canvas().text(camera.project(middle) + render::Point(0, text.size / 3),
-                       fmt::format("{:g} kg", masses[i]), text);
+    TextStyle text = camera.scale < 80 ? page.tick() : page.label();
+    text.color = render::ink_on(fill), text.bold = true, text.align = Align::center;
+    page.canvas().text(camera.project(middle) + Point(0, text.size / 3), fmt::format("{:g} kg", masses[i]),
+                       text);
   }
 }
 
-List<Shot> extremes_shots(const ExtremesRun& recorded) {
-  const Run run = std::make_shared<const ExtremesRun>(recorded);
-  const int last = run_of(run->ratios, run->settings.ratio).counted;
-  const QuestionFrame asked{
-      .state = "before the first sweep",
-      .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question", name_of(run->settings.ratio),
-                         name_of(1 / run->settings.ratio)),
-      .scene =
-          [run](Page& page, const Rect& rect) {
-            draw_stacks(page, rect, *run, 0, {"? sweeps", "? sweeps"});
-          },
-      .place = ScenePlace::above};
-  const List<std::string> counts = counts_at(*run, last);
+List<Shot> extremes_shots(const ExtremesRun& run) {
+  const int last = run_of(run.ratios, run.settings.ratio).counted;
+  const QuestionFrame asked{.state = "before the first sweep",
+                            .alt = fmt::format("Two stacks of two boxes, {} and {}, and the question",
+                                               name_of(run.settings.ratio), name_of(1 / run.settings.ratio)),
+                            .scene =
+                                [&run](Page& page, const Rect& rect) {
+                                  draw_stacks(page, rect, run, 0, {"? sweeps", "? sweeps"});
+                                },
+                            .place = ScenePlace::above};
+  const List<std::string> counts = counts_at(run, last);
   const QuestionFrame answered{
       .state = "the answer",
       .alt = fmt::format(
           "Both stacks with their loads found, and their errors sweep by sweep: one is right to 1 % "
           "after {}, the other after {}.",
           counts[0], counts[1]),
-      .scene = [run, last, counts](Page& page, const Rect& rect) {
-        const List<Rect> parts = rows(rect, {1, 1}, page.sizes().gap);
-        draw_stacks(page, parts[0], *run, last, counts);
-        draw_errors(page, parts[1], *run, last);
+      .scene = [&run, last, counts](Page& page, const Rect& rect) {
+        const List<Rect> parts = in_rows(page, rect, {1, 1});
+        draw_stacks(page, parts[0], run, last, counts);
+        draw_errors(page, parts[1], run, last);
       }};
   List<Shot> shots = {question_shot(card(), asked)};
   for (const List<Shot>& part : {ratio_shots(run), wall_shots(run)})

@@ -1,9 +1,5 @@
 // The two boxes as rows and as a scene, and what theory says of them.
-#include "ratio.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include "lesson.hpp"
 
 #include "validation/column.hpp"
 

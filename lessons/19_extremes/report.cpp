@@ -1,18 +1,9 @@
 // What lesson 19 prints, and the claims that it makes.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::edges {
 
 namespace {
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 void print_ratios(Lesson& lesson, const ExtremesRun& run) {
   lesson.print("error left (%)     sweep 1       2      10     100    1000   to 1 %   ln 100 / ln(1 + 1/R)");

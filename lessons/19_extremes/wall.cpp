@@ -1,13 +1,5 @@
 // Eight scenes, and what is measured of each.
-#include "wall.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "ratio.hpp"
+#include "lesson.hpp"
 
 namespace cairn::edges {
 

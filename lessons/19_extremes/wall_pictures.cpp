@@ -1,27 +1,19 @@
 // Eight worlds on one page, each with its stamp.
-#include <fmt/format.h>
+#include "lesson.hpp"
 
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
 #include "render/lint.hpp"
 
 namespace cairn::edges {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Point;
-using render::Rect;
-
 /// A word in a box with its left end at a point. @returns its width [px]
 double draw_stamp(Page& page, const Point& base, Stamp stamp) {
-  render::TextStyle text = page.tick();
+  TextStyle text = page.tick();
   text.bold = true;
-  const render::Theme& theme = page.theme();
-  const FixedList<render::Color, 4> fills = {theme.panel, theme.penetration, theme.positive, theme.positive};
-  const render::Color fill = fills[static_cast<int>(stamp)];
+  const Theme& theme = page.theme();
+  const FixedList<Color, 4> fills = {theme.panel, theme.penetration, theme.positive, theme.positive};
+  const Color fill = fills[static_cast<int>(stamp)];
   text.color = render::ink_on(fill);
   text.halo = fill;
   const std::string word = stamp_text(stamp);
@@ -33,7 +25,7 @@ double draw_stamp(Page& page, const Point& base, Stamp stamp) {
 }
 
 /// Where the last body has been, each place as a ring: what is fast is seen nowhere else.
-void draw_places(Page& page, const render::Camera& camera, const EdgeCase& edge, int step) {
+void draw_places(Page& page, const Camera& camera, const EdgeCase& edge, int step) {
   const SnapshotBody& body = edge.frames[0].bodies.back();
   const double radius = std::max(2.0, bounding_radius(body.shapes[0]) * camera.scale);
   const int first = step > 40 ? step - 40 : 0;
@@ -45,20 +37,19 @@ void draw_places(Page& page, const render::Camera& camera, const EdgeCase& edge,
 }
 
 /// A dashed line where the top of a stack belongs, with its height.
-void draw_top(Page& page, const render::Camera& camera, const EdgeCase& edge) {
+void draw_top(Page& page, const Camera& camera, const EdgeCase& edge) {
   const Point left = camera.project({edge.view.lower.x(), edge.top});
   const Point right = camera.project({edge.view.upper.x(), edge.top});
   page.canvas().line(left, right, {.width = 2, .color = page.theme().normal, .dash = {6, 4}});
-  render::TextStyle text = page.tick();
-  text.align = render::Align::right;
+  TextStyle text = aligned(page.tick(), Align::right);
   page.canvas().text(right + Point(0, 1.3 * text.size), fmt::format("{:g} m", edge.top), text);
 }
 
 /// The two pins pull at the body, each towards itself.
-void draw_pulls(Page& page, const render::Camera& camera, const ExtremesRun& run, int step) {
+void draw_pulls(Page& page, const Camera& camera, const ExtremesRun& run, int step) {
   const double pull = pull_of(run.wall[two_pins], step);
   const double largest = pull_of(run.wall[two_pins], run.settings.steps);
-  const render::ArrowScale scale{.pixels_per_unit = 0.26 * camera.scale / largest, .longest = camera.scale};
+  const ArrowScale scale{.pixels_per_unit = 0.26 * camera.scale / largest, .longest = camera.scale};
   for (const double side : {-1.0, 1.0})
     draw_arrow(page, camera, scale, {.tail = {pins_apart + 0.02 * side, -0.22}, .value = {side * pull, 0}});
 }
@@ -77,7 +68,7 @@ List<std::string> measured_lines(const ExtremesRun& run, int which, int step) {
   List<std::string> lines = {fmt::format("off by {} {}", share_text(off), edge.quantity)};
   if (energy > 0.01) lines.push_back("energy +" + fixed(100 * energy, 1) + " %");
   if (which == two_pins)
-    lines.push_back(fmt::format("each pulls: {} kN", render::significant(pull_of(edge, step) / 1000, 3)));
+    lines.push_back(fmt::format("each pulls: {} kN", significant(pull_of(edge, step) / 1000, 3)));
   return lines;
 }
 
@@ -87,14 +78,14 @@ void draw_edge(Page& page, const Rect& rect, const ExtremesRun& run, int which, 
   const Rect inside = page.panel(rect, edge.name + (is_cut ? ", its upper end" : ""));
   const double line = 1.5 * page.sizes().tick;
   const Rect view = {inside.x, inside.y, inside.width, inside.height - 2 * line - 2};
-  const render::Camera camera = render::fit(view, edge.view);
+  const Camera camera = fit(view, edge.view);
   const Snapshot& now = edge.frames[step];
   page.canvas().push_clip(view);
   if (which == ball || which == fast_ball || which == sling) draw_places(page, camera, edge, step);
-  const render::WorldLook look{.numbers = false,
-                               .names = {"", which == pin ? "body" : "", "ball"},
-                               .contacts = false,
-                               .penetration = false};
+  const WorldLook look{.numbers = false,
+                       .names = {"", which == pin ? "body" : "", "ball"},
+                       .contacts = false,
+                       .penetration = false};
   if (which < 2) draw_boxes(page, camera, now, which == 0 ? run.settings.ratio : 1 / run.settings.ratio);
   if (which >= 2) draw_world(page, camera, now, look);
   if (which == two_pins) draw_pulls(page, camera, run, step);
@@ -108,7 +99,7 @@ void draw_edge(Page& page, const Rect& rect, const ExtremesRun& run, int which, 
   for (int i = 0; i < lines.size(); ++i)
     page.canvas().text({inside.x, base - (1 - i) * line}, lines[i], page.tick());
   const Stamp stamp = stamp_of(edge, step);
-  render::TextStyle bold = page.tick();
+  TextStyle bold = page.tick();
   bold.bold = true;
   const double width = page.canvas().text_width(stamp_text(stamp), bold) + 10;
   draw_stamp(page, {inside.x + inside.width - width, base}, stamp);
@@ -129,30 +120,30 @@ void draw_rules(Page& page, const Rect& rect) {
 }
 
 void draw_wall(Page& page, const ExtremesRun& run, int step) {
-  const List<Rect> lines = rows(page.area(), {1, 1, 0.08}, page.sizes().gap);
+  const List<Rect> lines = in_rows(page, {1, 1, 0.08});
   draw_rules(page, lines[2]);
   for (int i = 0; i < run.wall.size(); ++i) {
-    const List<Rect> panels = columns(lines[i / 4], {1, 1, 1, 1}, page.sizes().gap);
+    const List<Rect> panels = in_columns(page, lines[i / 4], {1, 1, 1, 1});
     draw_edge(page, panels[i % 4], run, i, step);
   }
 }
 
-Shot wall_shot(const Run& run, int step) {
+Shot wall_shot(const ExtremesRun& run, int step) {
   std::string alt = fmt::format("Eight small worlds after step {}:", step);
-  for (const EdgeCase& edge : run->wall)
+  for (const EdgeCase& edge : run.wall)
     alt += fmt::format(" {}: {};", edge.name, stamp_text(stamp_of(edge, step)));
   alt.back() = '.';
   return {.state = fmt::format("eight worlds · step {}", step),
           .alt = alt,
-          .draw = [run, step](Page& page) { draw_wall(page, *run, step); },
-          .key = step == 3 || step == 10 || step == run->settings.steps};
+          .draw = [&run, step](Page& page) { draw_wall(page, run, step); },
+          .key = step == 3 || step == 10 || step == run.settings.steps};
 }
 
 }  // namespace
 
-List<Shot> wall_shots(const Run& run) {
+List<Shot> wall_shots(const ExtremesRun& run) {
   List<Shot> shots;
-  for (int step = 0; step <= run->settings.steps; ++step) shots.push_back(wall_shot(run, step));
+  for (int step = 0; step <= run.settings.steps; ++step) shots.push_back(wall_shot(run, step));
   return shots;
 }
 

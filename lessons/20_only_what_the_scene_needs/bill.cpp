@@ -1,7 +1,5 @@
 // The scene, its parts, and what each switch makes of them.
-#include "bill.hpp"
-
-#include <algorithm>
+#include "lesson.hpp"
 
 namespace cairn::needs {
 

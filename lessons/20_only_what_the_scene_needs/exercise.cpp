@@ -1,7 +1,7 @@
 // Exercise 20. What does a step cost? Then: bash lessons/run check 20
 #include <algorithm>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise20 {
 

@@ -1,8 +1,5 @@
 // Exercise 20, graded: islands found by asking of every two bodies whether a path leads from one to the
 // other.
-#include <algorithm>
-#include <string>
-
 #include "exercise.cpp"
 
 namespace cairn::exercise20 {

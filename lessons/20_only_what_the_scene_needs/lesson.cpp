@@ -3,16 +3,9 @@
 // do nothing. Seven runs of the same scene leave something out, each something else: rows of friction, sweeps
 // after the error is small, the wait of one island for another, all rows of what sleeps. What each run saves
 // is counted, and how far it goes another way than a run that leaves nothing out.
-#include "lessons/lesson.hpp"
+#include "lesson.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
-
-#include "bill.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
 
 namespace {
 

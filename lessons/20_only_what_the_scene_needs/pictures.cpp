@@ -1,28 +1,13 @@
 // The scene with its islands, awake or asleep, and below it what each switch pays for this step.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-#include <set>
-
-#include "lessons/question.hpp"
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/draw.hpp"
-#include "render/plot.hpp"
+#include "lesson.hpp"
 
 namespace cairn::needs {
 
 namespace {
 
-using render::fixed;
-using render::Page;
-using render::Rect;
-using Run = std::shared_ptr<const NeedsRun>;
-
 /// The runs that the question compares, and sleep, have colours of their own.
-render::Color color_of(const Page& page, int run) {
-  const render::Theme& theme = page.theme();
+Color color_of(const Page& page, int run) {
+  const Theme& theme = page.theme();
   if (run == early) return theme.box2d.color;
   if (run == by_islands) return theme.si.color;
   return run == sleeping ? theme.pgs.color : theme.body;
@@ -32,8 +17,8 @@ render::Color color_of(const Page& page, int run) {
 void draw_amounts(Page& page, const Rect& rect, std::string_view title, const NeedsRun& all,
                   const List<double>& amounts, const std::string& unit) {
   const Rect inside = page.panel(rect, title);
-  const render::TextStyle name = page.label();
-  render::TextStyle value = page.label();
+  const TextStyle name = page.label();
+  TextStyle value = page.label();
   value.bold = true;
   double names = 0;
   for (const BillRun& run : all.runs)
@@ -72,11 +57,10 @@ void draw_shares(Page& page, const Rect& rect, const NeedsRun& all) {
 
 /// A line that is level in each step.
 void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
-  render::Plot plot{.title = "row updates, step by step"};
+  Plot plot{.title = "row updates, step by step"};
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
   for (const int i : {early, by_islands, sleeping}) {
-    render::Series series{
-        .name = all.runs[i].switches.name, .style = {.color = color_of(page, i)}, .markers = false};
+    Series series{.name = all.runs[i].switches.name, .style = {.color = color_of(page, i)}, .markers = false};
     for (int k = 0; k < all.settings.steps; ++k) {
       const auto updates = static_cast<double>(all.runs[i].steps[k].updates);
       series.x.insert(series.x.end(), {static_cast<double>(k), k + 1.0});
@@ -90,34 +74,33 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
 }
 
 void draw_step(Page& page, const NeedsRun& all, int step) {
-  const List<Rect> parts = rows(page.area(), {0.56, 0.44}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.56, {0.44, {0.44, 0.56}}});
   draw_scene(page, parts[0], all,
              {.title = "the run \"together\", its rows × sweeps; pale: asleep",
               .run = all_free,
               .step = step,
               .lines = swept_lines(all, all_free, step)});
-  const List<Rect> below = columns(parts[1], {0.44, 0.56}, page.sizes().gap);
-  draw_bill(page, below[0], all, step);
-  draw_course(page, below[1], all, step);
+  draw_bill(page, parts[1], all, step);
+  draw_course(page, parts[2], all, step);
 }
 
-Shot step_shot(const Run& all, int step, bool key) {
-  const StepBill& whole = all->runs[everything].steps[step - 1];
-  const StepBill& together = all->runs[all_free].steps[step - 1];
-  const StepBill& alone = all->runs[by_islands].steps[step - 1];
+Shot step_shot(const NeedsRun& all, int step, bool key) {
+  const StepBill& whole = all.runs[everything].steps[step - 1];
+  const StepBill& together = all.runs[all_free].steps[step - 1];
+  const StepBill& alone = all.runs[by_islands].steps[step - 1];
   return {.state = fmt::format("step {} · {} of {} bodies awake", step, together.awake, whole.awake),
           .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row "
                              "updates: {} with everything, {} if each island ends by itself, {} with all "
                              "switches together.",
                              step, together.awake, whole.updates, alone.updates, together.updates),
-          .draw = [all, step](Page& page) { draw_step(page, *all, step); },
+          .draw = [&all, step](Page& page) { draw_step(page, all, step); },
           .key = key};
 }
 
 std::string millimetres(double metres) { return fixed(1000 * metres, metres < 0.1 ? 1 : 0); }
 
 void draw_table(Page& page, const NeedsRun& all) {
-  render::TableView table;
+  TableView table;
   table.header = {"switch",          "rows",          "fewest", "updates a step", "of all",
                   "off before (mm)", "off after (mm)"};
   for (int i = 0; i < all.runs.size(); ++i) {
@@ -127,7 +110,7 @@ void draw_table(Page& page, const NeedsRun& all) {
          fmt::format("{}", run.updates / all.settings.steps), fixed(share_of(all, i), 0) + " %",
          millimetres(run.off_before), millimetres(run.off_after)});
   }
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
+  const List<Rect> parts = in_rows(page, {0.62, 0.38});
   page.table(parts[0], "rows of the first step, and the fewest of any step; updates; what it costs", table);
   page.note(parts[1], "How far off",
             "How far bodies are from their places in a run with all rows, swept to R_{E} = 10^{−6}: any body "
@@ -137,12 +120,11 @@ void draw_table(Page& page, const NeedsRun& all) {
 
 /// What becomes of the pyramid without friction, beside what should.
 void draw_ruin(Page& page, const NeedsRun& all) {
-  const List<Rect> parts = rows(page.area(), {0.62, 0.38}, page.sizes().gap);
-  const List<Rect> sides = columns(parts[0], {0.5, 0.5}, page.sizes().gap);
-  draw_pyramid(page, sides[0], all, everything);
-  draw_pyramid(page, sides[1], all, no_friction);
+  const List<Rect> parts = in_rows(page, {{0.62, {0.5, 0.5}}, 0.38});
+  draw_pyramid(page, parts[0], all, everything);
+  draw_pyramid(page, parts[1], all, no_friction);
   page.note(
-      parts[1], "No friction",
+      parts[2], "No friction",
       fmt::format("It saves nearly half of the row updates, and until the ball comes nothing needs the rows "
                   "that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
                   fixed(off_at_end(all, no_friction, farthest_box(all, no_friction)), 2)),
@@ -178,40 +160,37 @@ std::set<int> key_steps(const NeedsRun& all) {
 
 }  // namespace
 
-List<Shot> needs_shots(const NeedsRun& recorded) {
-  const Run all = std::make_shared<const NeedsRun>(recorded);
+List<Shot> needs_shots(const NeedsRun& all) {
   List<Shot> shots = {
       question_shot(card(), {.state = "before the first step",
                              .alt = "A pyramid, a tower, a chain and a ball in flight, and the question",
                              .scene =
-                                 [all](Page& page, const Rect& rect) {
-                                   draw_scene(page, rect, *all, {.lines = swept_lines(*all, by_islands, 0)});
+                                 [&all](Page& page, const Rect& rect) {
+                                   draw_scene(page, rect, all, {.lines = swept_lines(all, by_islands, 0)});
                                  },
                              .place = ScenePlace::above})};
-  const std::set<int> keys = key_steps(*all);
+  const std::set<int> keys = key_steps(all);
   std::set<int> steps = keys;
-  for (int step = 2; step < all->settings.steps; step += 2) steps.insert(step);
+  for (int step = 2; step < all.settings.steps; step += 2) steps.insert(step);
   for (const int step : steps) shots.push_back(step_shot(all, step, keys.contains(step)));
-  shots.push_back({.state = fmt::format("{} steps", all->settings.steps),
-                   .alt = "A table: what each switch costs in rows and row updates, and how far it is off.",
-                   .draw = [all](Page& page) { draw_table(page, *all); },
-                   .key = true});
-  if (all->touch > 0) {
-    shots.push_back(
-        {.state = fmt::format("step {}, with and without friction", all->settings.steps),
-         .alt = "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
-         .draw = [all](Page& page) { draw_ruin(page, *all); },
-         .key = true});
+  shots.push_back(key_shot(all, fmt::format("{} steps", all.settings.steps),
+                           "A table: what each switch costs in rows and row updates, and how far it is off.",
+                           draw_table));
+  if (all.touch > 0) {
+    shots.push_back(key_shot(
+        all, fmt::format("step {}, with and without friction", all.settings.steps),
+        "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
+        draw_ruin));
   }
-  const auto draw_answer = [all](Page& page, const Rect& rect) {
-    const List<Rect> parts = rows(rect, {0.45, 0.55}, page.sizes().gap);
-    draw_scene(page, parts[0], *all,
+  const auto draw_answer = [&all](Page& page, const Rect& rect) {
+    const List<Rect> parts = in_rows(page, rect, {0.45, 0.55});
+    draw_scene(page, parts[0], all,
                {.title = "exit by island: row updates a step, on average",
-                .step = all->settings.steps,
-                .lines = mean_lines(*all)});
-    draw_shares(page, parts[1], *all);
+                .step = all.settings.steps,
+                .lines = mean_lines(all)});
+    draw_shares(page, parts[1], all);
   };
-  const std::string answer = answer_text(*all);
+  const std::string answer = answer_text(all);
   shots.push_back(answer_shot(
       card(),
       {.state = "the answer",

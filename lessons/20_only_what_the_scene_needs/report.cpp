@@ -1,9 +1,5 @@
 // What lesson 20 prints, and the claims that it makes.
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "parts.hpp"
+#include "lesson.hpp"
 
 namespace cairn::needs {
 

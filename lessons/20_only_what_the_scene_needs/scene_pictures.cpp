@@ -1,20 +1,9 @@
 // The scene: islands in frames, and those that sleep pale.
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "math/list.hpp"
-#include "parts.hpp"
-#include "render/arrow.hpp"
-#include "render/draw.hpp"
+#include "lesson.hpp"
 
 namespace cairn::needs {
 
 namespace {
-
-using render::Page;
-using render::Point;
-using render::Rect;
 
 /// What an island of the frame is like.
 struct Island {
@@ -38,9 +27,9 @@ Island island_of(const NeedsRun& all, const Snapshot& now, Group group) {
 }
 
 /// A frame around an island, dashed while it is awake, with its name and another line.
-void draw_island(Page& page, const render::Camera& camera, const Island& island, const std::string& name,
+void draw_island(Page& page, const Camera& camera, const Island& island, const std::string& name,
                  const std::string& line) {
-  const render::Theme& theme = page.theme();
+  const Theme& theme = page.theme();
   const double margin = 0.25 + page.sizes().joint / camera.scale;  // [m]
   const Point low =
       camera.project({island.box.lower.x() - margin, std::max(0.0, island.box.lower.y() - margin)});
@@ -50,8 +39,7 @@ void draw_island(Page& page, const render::Camera& camera, const Island& island,
   page.canvas().polyline(frame, {.width = page.sizes().axis,
                                  .color = asleep ? theme.inactive : theme.outline,
                                  .dash = asleep ? List<double>{2, 5} : List<double>{8, 5}});
-  render::TextStyle text = page.tick();
-  text.align = render::Align::center;
+  TextStyle text = aligned(page.tick(), Align::center);
   text.halo = theme.panel;
   const double x = (low.x() + high.x()) / 2, above = high.y() - 0.4 * text.size;
   page.canvas().text({x, above}, line, text);
@@ -81,16 +69,15 @@ List<std::string> swept_lines(const NeedsRun& all, int run, int step) {
 void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, const SceneView& view) {
   const Rect inside = page.panel(rect, view.title);
   const double words = 2.9 * page.sizes().tick;  // two lines above the highest frame
-  const render::Camera camera =
-      render::fit({inside.x, inside.y + words, inside.width, inside.height - words}, view_of(all.settings));
+  const Camera camera =
+      fit({inside.x, inside.y + words, inside.width, inside.height - words}, view_of(all.settings));
   const Snapshot& now = all.runs[view.run].frames[view.step];
   page.canvas().push_clip(inside);
   draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
   const SnapshotBody& ball = now.bodies[ball_of(all.settings)];
   if (view.step < all.touch) {
-    draw_arrow(
-        page, camera, {.pixels_per_unit = 0.3 * camera.scale, .longest = 4 * camera.scale},
-        {.kind = render::ArrowKind::velocity, .tail = ball.pose.position, .value = ball.velocity.head<2>()});
+    draw_arrow(page, camera, {.pixels_per_unit = 0.3 * camera.scale, .longest = 4 * camera.scale},
+               {.kind = ArrowKind::velocity, .tail = ball.pose.position, .value = ball.velocity.head<2>()});
   }
   const FixedList<std::string, 3> names = {"pyramid", "tower", "chain"};
   const FixedList<Group, 3> groups = {Group::pyramid, Group::tower, Group::chain};
@@ -113,7 +100,7 @@ double off_at_end(const NeedsRun& all, int run, BodyId body) {
 
 void draw_pyramid(Page& page, const Rect& rect, const NeedsRun& all, int run) {
   const Rect inside = page.panel(rect, all.runs[run].switches.name + "; thin: where it should be");
-  const render::Camera camera = render::fit(inside, {{-5.2, -0.45}, {4.2, 5.3}});
+  const Camera camera = fit(inside, {{-5.2, -0.45}, {4.2, 5.3}});
   page.canvas().push_clip(inside);
   const Snapshot& should = all.reference.frames.back();
   const Snapshot& now = all.runs[run].frames.back();
@@ -125,10 +112,10 @@ void draw_pyramid(Page& page, const Rect& rect, const NeedsRun& all, int run) {
     const Point from = camera.project(should.bodies[box].pose.position);
     const Point to = camera.project(now.bodies[box].pose.position);
     draw_length(page, from, to, {.width = 3, .color = page.theme().normal});
-    render::TextStyle text = page.value();
-    text.bold = true, text.align = render::Align::right;
-    page.canvas().text({from.x() - 0.65 * camera.scale, from.y() + text.size / 3},
-                       render::fixed(off, 2) + " m off", text);
+    TextStyle text = page.value();
+    text.bold = true, text.align = Align::right;
+    page.canvas().text({from.x() - 0.65 * camera.scale, from.y() + text.size / 3}, fixed(off, 2) + " m off",
+                       text);
   }
   page.canvas().pop_clip();
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/card.hpp"
+#include "lessons/kit/card.hpp"
 #include "math/list.hpp"
 
 namespace cairn::driver {

@@ -10,7 +10,7 @@
 
 #include "lessons/driver/exercises.hpp"
 #include "lessons/driver/process.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 
 namespace cairn::driver {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "lessons/console.hpp"
 #include "lessons/driver/catalogue.hpp"
+#include "lessons/kit/console.hpp"
 #include "math/list.hpp"
 
 namespace cairn::driver {

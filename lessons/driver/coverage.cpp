@@ -10,7 +10,7 @@
 
 #include "lessons/driver/commands.hpp"
 #include "lessons/driver/exercises.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 
 namespace cairn::driver {
 namespace {

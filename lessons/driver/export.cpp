@@ -12,7 +12,7 @@
 #include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
 #include "lessons/driver/work_folder.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "measure/whole_file.hpp"
 
 namespace cairn::driver {

@@ -9,8 +9,8 @@
 
 #include "lessons/driver/commands.hpp"
 #include "lessons/driver/process.hpp"
-#include "lessons/output.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/output.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/list.hpp"
 #include "math/printable.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "lessons/output.hpp"
+#include "lessons/kit/output.hpp"
 #include "lessons/reader_code/run.hpp"
 
 int main(int count, char** words) {

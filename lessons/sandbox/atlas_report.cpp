@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 #include "lessons/sandbox/charts.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "math/list.hpp"

@@ -12,9 +12,9 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/film_encoders.hpp"
 #include "lessons/sandbox/progress_line.hpp"
-#include "lessons/words.hpp"
 #include "measure/whole_file.hpp"
 #include "render/sequence.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 
 namespace cairn::sandbox {

@@ -6,10 +6,10 @@
 #include <new>
 #include <stdexcept>
 
-#include "lessons/output.hpp"
+#include "lessons/kit/output.hpp"
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "math/printable.hpp"
 #include "render/context.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 #include "lessons/sandbox/charts.hpp"
 #include "measure/whole_file.hpp"
 #include "render/image.hpp"

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "lessons/console.hpp"
+#include "lessons/kit/console.hpp"
 
 namespace cairn::sandbox {
 

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "lessons/words.hpp"
 #include "world/scene_length.hpp"
 
 namespace cairn::sandbox {

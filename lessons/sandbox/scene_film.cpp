@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/film_text.hpp"
-#include "lessons/words.hpp"
 #include "measure/violation.hpp"
 #include "render/draw.hpp"
 #include "render/lint.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "lessons/console.hpp"
+#include "lessons/kit/console.hpp"
 #include "math/list.hpp"
 #include "measure/csv.hpp"
 #include "measure/violation.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "scenes/default_setting.hpp"
 #include "scenes/solver_list.hpp"
 

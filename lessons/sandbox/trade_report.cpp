@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 #include "lessons/sandbox/charts.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/list.hpp"
 #include "measure/whole_file.hpp"
 #include "render/image.hpp"

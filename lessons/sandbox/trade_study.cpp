@@ -8,7 +8,7 @@
 #include "study/frozen/frozen_set.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/charts.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "scenes/scene_list.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/trajectory_study.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/console.hpp"
+#include "lessons/kit/console.hpp"
 #include "math/list.hpp"
 
 namespace cairn::sandbox {

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/film_files.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 
 namespace cairn::sandbox {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 
 namespace cairn::sandbox {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "scenes/solver_list.hpp"
 #include "world/world.hpp"

@@ -5,11 +5,10 @@
 #include <map>
 
 #include "study/extremes/extreme.hpp"
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 #include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "math/nearest.hpp"
 #include "study/trade_row.hpp"

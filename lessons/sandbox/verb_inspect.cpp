@@ -5,13 +5,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_film.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/step_view.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
-#include "scenes/default_setting.hpp"
 #include "math/list.hpp"
+#include "scenes/default_setting.hpp"
 #include "solvers/system_matrix.hpp"
 
 namespace cairn::sandbox {

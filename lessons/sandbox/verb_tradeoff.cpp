@@ -7,12 +7,11 @@
 #include <sstream>
 
 #include "study/frozen/frozen_set.hpp"
-#include "lessons/records.hpp"
+#include "lessons/kit/records.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "study/trade_row.hpp"
 #include "study/trajectory_study.hpp"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "scenes/solver_list.hpp"
 #include "study/build_info.hpp"

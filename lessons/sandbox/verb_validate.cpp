@@ -5,9 +5,9 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "lessons/words.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
 #include "measure/whole_file.hpp"

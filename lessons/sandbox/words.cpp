@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "lessons/words.hpp"
 #include "math/check.hpp"
 #include "math/list.hpp"
 

@@ -46,7 +46,7 @@ is_of_the_file() {
 make_runner() {
   local folder=$here/../reader_code kept=$here/../../build/reader_code/run_reader
   runner=$kept
-  if [[ -x $kept && ! $(find "$folder" "$here/../output.hpp" "$here/../../src/math/list.hpp" -newer "$kept") ]]; then return; fi
+  if [[ -x $kept && ! $(find "$folder" "$here/../kit/output.hpp" "$here/../../src/math/list.hpp" -newer "$kept") ]]; then return; fi
   runner=$work/run_reader
   printf 'Compiling lessons/reader_code: some seconds, once.\n' >&2
   errors=$(LC_ALL=C "$compiler" -std=c++20 -O0 -pipe -I"$here/../.." -I"$here/../../src" -o "$runner" "$folder"/*.cpp 2>&1) ||
@@ -61,7 +61,7 @@ compile() {
   local -a flags=(-std=c++20 -O0 -pipe -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
   local code
   # A main() of the reader's is left alone: the linker starts the program elsewhere.
-  printf '#include "lessons/grading.hpp"\n#include "stages/0%s.cpp"\n#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" \
+  printf '#include "lessons/kit/grading.hpp"\n#include "stages/0%s.cpp"\n#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" \
     "extern \"C\" int __wrap_main() {
   return cairn::reader_code::graded([] {
     cairn::Grade grade({.width = 70, .digits = 7, .stage = $1});

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 #include "math/list.hpp"
 #include "your_solver/run_solver.hpp"
 
@@ -126,7 +126,7 @@ void check_stage(int stage) {
   const fs::path folder = scratch_folder("stage" + number);
   const List<WrongAnswer> answers = wrong_answers(solver_folder / "stages" / (number + ".wrong"));
   std::string text =
-      "#include <array>\n#include <cstdlib>\n#include <limits>\n#include \"lessons/grading.hpp\"\n";
+      "#include <array>\n#include <cstdlib>\n#include <limits>\n#include \"lessons/kit/grading.hpp\"\n";
   std::string choice;
   for (int k = 0; k <= answers.size(); ++k) {
     const WrongAnswer wrong = k == 0 ? WrongAnswer{} : answers[k - 1];

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "lessons/exercise.hpp"
+#include "lessons/kit/exercise.hpp"
 
 using namespace cairn;
 

@@ -13,7 +13,7 @@
 #include "fuzz/fuzz_run.hpp"
 #include "fuzz/mutate.hpp"
 #include "fuzz/random_world.hpp"
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/list.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "lessons/kit/words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "lessons/words.hpp"
 #include "math/list.hpp"
 #include "render/image.hpp"
 

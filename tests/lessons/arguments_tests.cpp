@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lessons/arguments.hpp"
+#include "lessons/kit/arguments.hpp"
 #include "math/list.hpp"
 
 using namespace cairn;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "lessons/lesson.hpp"
+#include "lessons/kit/lesson.hpp"
 #include "math/list.hpp"
 #include "scratch_folder.hpp"
 

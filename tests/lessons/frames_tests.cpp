@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "lessons/frames.hpp"
+#include "lessons/kit/frames.hpp"
 #include "math/list.hpp"
 
 using namespace cairn;

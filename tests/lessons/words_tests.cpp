@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lessons/words.hpp"
+#include "lessons/kit/words.hpp"
 #include "math/list.hpp"
 
 using namespace cairn;

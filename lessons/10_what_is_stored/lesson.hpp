@@ -1,0 +1,111 @@
+// Lesson 10. Pyramids and what solvers keep of them; and rows on which eq. (30) counts too few or too many.
+#pragma once
+
+#include "lessons/kit/kit.hpp"
+
+namespace cairn::stored {
+
+struct StoredSettings {
+  int base = 20;         // boxes in the lowest row of the largest pyramid
+  double spacing = 1.1;  // [m] between centres of a row; boxes of 1 m
+  int sweeps = 10;       // of each solver, where their answers are compared
+};
+
+/// Numbers (of 8 bytes) that one problem needs, by what is stored.
+struct Count {
+  std::string name = {};  // "base 10"
+  int base = 0;           // 0: not a pyramid
+  int bodies = 0;         // without the ground
+  double rows = 0;        // m
+  double dense = 0;       // m^2
+  double printed = 0;     // eq. (30) as it is printed
+  double non_zeros = 0;   // J_i M^-1 J_j^T != 0
+  double pairs = 0;       // rows that share a body that can move: what a sparse A has room for
+};
+
+/// Multiply-adds of one sweep.
+struct Work {
+  double naive = 0;   // every velocity anew for each row: 6 m^2
+  double dense = 0;   // a row of A for each row: m^2
+  double sparse = 0;  // only what is not zero
+  double si = 0;      // 6 to read a row's velocity, 6 to change it
+};
+Work work_of(const Count& count);
+
+/// What a solver has kept beside the problem, by its own account [bytes], and its answer.
+struct Kept {
+  std::string name = {};
+  double bytes = 0;
+  PerRow<double> impulse = {};  // [N s]
+};
+
+/// Two rows for which (30) and A disagree, or not.
+struct PairCase {
+  std::string title = {};
+  VelocityProblem<double> problem = {};  // two rows
+  double printed = 0;                    // J_1 . J_2
+  double coupling = 0;                   // J_1 M^-1 J_2^T [1/kg]
+  Snapshot snapshot = {};                // with the two contacts
+};
+
+struct StoredRun {
+  StoredSettings settings = {};
+  List<Count> pyramids = {};                    // of base 3, 5, 10 and the one asked for
+  List<VelocityProblem<double>> problems = {};  // of these
+  List<Snapshot> snapshots = {};
+  List<Kept> kept = {};  // for the largest: SI, factored, sparse and dense PGS
+  Count tray = {};       // boxes that all stand on one body
+  VelocityProblem<double> tray_problem = {};
+  Snapshot tray_snapshot = {};
+  List<PairCase> cases = {};
+};
+
+/// A pyramid without friction, gravity just applied.
+Scene pyramid_scene(int base, double spacing);
+/// `boxes` of them on one tray that can move.
+Scene tray_scene(int boxes);
+
+/// As many rows as the pyramid of base 10 has, but for the two below the tray.
+inline constexpr int boxes_on_tray = 99;
+/// How a scene begins, with the contacts that it has after a step.
+Snapshot with_contacts(const Scene& scene);
+/// Three pairs: (30) misses an entry; counts one that is zero; counts the ground.
+List<PairCase> pair_cases();
+
+/// By counting boxes: two rows for each overlap, 4 of them on the sides of most boxes.
+double rows_by_formula(int base);
+/// Sum over bodies of (rows on the body)^2, less those pairs that were counted on two bodies.
+double pairs_by_formula(int base);
+/// Entries of a matrix that are not zero but for rounding: 1e-12 of its largest.
+double count_entries(const Eigen::MatrixXd& matrix);
+
+enum class Entry { zero = 0, printed_only = -1, true_entry = 1, missed = 2 };
+/// For every pair of rows: whether it is in A, and whether (30) as printed counts it.
+List<List<Entry>> pattern(const VelocityProblem<double>& problem);
+
+/// "312.5 KiB"
+std::string bytes_text(double bytes);
+
+// What is printed, checked and drawn.
+
+void tell_scene(Lesson& lesson, const StoredRun& run);
+void tell_counts(Lesson& lesson, const StoredRun& run);
+void tell_kept(Lesson& lesson, const StoredRun& run);
+void tell_cases(Lesson& lesson, const StoredRun& run);
+/// What A costs before the first sweep, and what a sweep reads.
+void tell_building(Lesson& lesson, const StoredRun& run);
+void check_building(Lesson& lesson, const StoredRun& run);
+void check_claims(Lesson& lesson, const StoredRun& run);
+CsvTable table_of(const StoredRun& run);
+
+/// Which rows meet, the pattern of A, pairs on which (30) errs, and what it all costs.
+List<Shot> stored_shots(const StoredRun& run);
+
+/// Their parts: pairs of rows for which (30) and A disagree, and charts.
+List<Shot> case_shots(const StoredRun& run);
+List<Shot> cost_shots(const StoredRun& run);
+
+/// A panel with the pattern of A as large as `rect` allows. Returns the square.
+Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const VelocityProblem<double>& problem);
+
+}  // namespace cairn::stored

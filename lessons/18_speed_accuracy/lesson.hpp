@@ -1,0 +1,128 @@
+// Lesson 18. A tower of boxes, one cold step: how wrong several solvers are after each sweep, and what a
+// sweep costs.
+#pragma once
+
+#include "lessons/kit/kit.hpp"
+
+namespace cairn::cost {
+
+inline constexpr double gravity = 10;         // [m/s^2]
+inline constexpr double time_step = 0.02;     // [s]
+inline constexpr double least_error = 1e-12;  // below it a curve ends
+inline constexpr int kept_sweeps = 200;       // of which all lambda are kept
+inline constexpr int frames = 50;             // of the warm run
+inline constexpr FixedList<int, 4> tower_sizes = {3, 5, 10, 20};
+inline constexpr FixedList<int, 3> timed_rows = {10, 50, 200};
+inline constexpr int timed_sweeps = 50;  // of each solve that is timed
+
+struct CostSettings {
+  int boxes = 10;
+  double omega = 0;  // of SOR; 0: the best
+  int sweeps = 10;   // of each step of the warm run
+};
+
+/// One solver on the tower. Index: the sweep; 0 is before the first. Errors are max |lambda - exact| over the
+/// largest exact lambda.
+struct Curve {
+  std::string name = {};
+  double work = 0;                 // multiply-adds of one sweep
+  double rate = 0;                 // what a sweep leaves of the error in the end; 0: no formula
+  List<double> error = {};         // until least_error
+  List<List<double>> lambda = {};  // [N] of the first kept_sweeps
+  List<double> by_hand = {};       // the same errors by plain loops, of the first kept_sweeps
+};
+
+/// In the order of CostRun::curves.
+enum : int { si_curve, jacobi_curve, sor_curve, accelerated_curve };
+
+/// Sweeps of one tower size until no load is wrong by more than 1 %.
+struct SizeCost {
+  int boxes = 0;
+  int si = 0;
+  int sor = 0;      // with its best omega
+  int by_hand = 0;  // as si
+};
+
+struct WarmRun {
+  List<double> warm = {};  // error after each step; 0: before the first
+  List<double> cold = {};
+};
+
+/// One solver on towers of timed_rows rows.
+struct SolverTime {
+  std::string name = {};
+  List<double> nanoseconds = {};  // of one row update, with its share of all preparation
+};
+
+struct CostRun {
+  CostSettings settings = {};
+  double omega = 1;       // of SOR
+  double best_omega = 1;  // by formula
+  List<Curve> curves = {};
+  Curve pgs = {};     // without end at least_error
+  Curve single = {};  // SI in float, as many sweeps
+  List<SizeCost> sizes = {};
+  WarmRun frames = {};
+  List<SolverTime> times = {};   // of this machine
+  std::ptrdiff_t non_zeros = 0;  // of A
+  Snapshot tower = {};
+};
+
+/// The largest error of any load, over the largest load.
+double error_of(const List<double>& lambda, const List<double>& exact);
+
+/// One cold step of the tower under a solver, which is watched after each sweep until the error is `least`.
+template <typename Real>
+void watch(Solver<Real>& solver, int boxes, double least, Curve& curve);
+
+/// SI and SOR on a tower of that size, in at most so many sweeps.
+SizeCost sweeps_to_one_percent(int boxes);
+int most_sweeps(int boxes);
+
+/// The rest of a run that has its curves: other digits, warm frames, times, and the tower to draw.
+void look_closer(CostRun& run);
+
+/// (n - i) g [N]: what each box has to be given, from the ground up.
+List<double> exact_lambda(int boxes);
+
+/// The first sweep after which the error is at most this; -1: none.
+int sweeps_to(const List<double>& errors, double error);
+/// Sweeps for one more digit in the end: ln 10 / -ln(rate).
+double sweeps_per_digit(const Curve& curve);
+
+/// cos(pi / 2n): what plain Jacobi keeps; its square: Gauss-Seidel (D. M. Young, 1954).
+double jacobi_rate(int boxes);
+double best_relaxation(int boxes);
+/// Of SOR with this omega, by Young's formula, and as the largest eigenvalue of its matrix.
+double sor_rate(int boxes, double omega);
+double sor_rate_by_matrix(int boxes, double omega);
+
+/// 1/2 e^T A e dt^2 of e = lambda - exact [J]: the kinetic energy of what velocities are wrong by. Every row
+/// update makes it smaller.
+double error_energy(const List<double>& lambda);
+
+/// In the order of measure_times(), as far as pictures need it.
+enum : int { si_time, jacobi_time, accelerated_time, sparse_time, dense_time, naive_time };
+List<SolverTime> measure_times();
+
+VelocityProblem<double> tower_problem(int boxes);
+
+// What is printed, checked and drawn.
+
+/// Prints errors, sweeps, times and the answer, and checks every claim.
+void report(Lesson& lesson, const CostRun& run);
+
+/// Errors, and no times: those are different on every run.
+CsvTable errors_table(const CostRun& run);
+
+/// The tower's loads sweep by sweep, errors against sweeps and work, and what moves them.
+List<Shot> cost_shots(const CostRun& run);
+
+/// Digits, sizes, precision, and what a row update takes on this machine.
+List<Shot> digit_shots(const CostRun& run);
+
+/// In the order of CostRun::curves: SI, Jacobi, SOR, momentum.
+SeriesStyle style_of(const Page& page, int curve);
+std::string short_name(const CostRun& run, int curve);
+
+}  // namespace cairn::cost

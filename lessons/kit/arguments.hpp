@@ -1,0 +1,74 @@
+// The command line of a lesson, read and checked.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "lessons/kit/console.hpp"
+#include "lessons/kit/frames.hpp"
+#include "lessons/kit/lesson.hpp"
+#include "math/list.hpp"
+
+namespace cairn {
+
+/// What the reader asked a lesson to do. Everything has been checked.
+struct Options {
+  enum class Request { run, help, version, about, list_params, hint };
+  enum class Theme { light, dark };
+  enum class Palette { color, gray };
+  enum class Format { png, svg, apng };
+
+  Request request = Request::run;
+  std::map<std::string, double, std::less<>> numbers = {};       // by flag, the standard ones among them
+  std::map<std::string, std::string, std::less<>> choices = {};  // by flag
+
+  int hint = 1;
+  bool predict = false;
+  bool check = false;  // claims only: no frames, no files
+  bool step = false;
+  std::optional<List<double>> answer = {};
+
+  std::filesystem::path out = {};
+  FrameChoice frames = {};
+  bool dry_run = false;
+  int width = 1280;  // [px]
+  int height = 720;  // [px]
+  Theme theme = Theme::light;
+  Palette palette = Palette::color;
+  Format format = Format::png;
+  std::string panel = {};    // of each frame only the panel with this in its title; "": all
+  bool transparent = false;  // no background
+
+  std::string csv = {};     // a path; "-": stdout; "": nowhere
+  std::string json = {};    // likewise
+  std::string expect = {};  // 16 hexadecimal digits
+
+  ConsoleSettings console = {};
+  List<std::string> picture_flags = {};  // those that were given, to be repeated in "Again:"
+};
+
+/// The command line cannot be understood: one line for people.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// @throws UsageError, and std::logic_error when two flags of the lesson have one name.
+Options read_arguments(const LessonInfo& info, int argc, const char* const* argv);
+
+/// "lesson06".
+std::string short_name(const LessonInfo& info);
+/// "lesson06_sequential_impulses".
+std::string program_name(const LessonInfo& info);
+/// What a reader types: "bash lessons/run 6".
+std::string typed_command(const LessonInfo& info);
+/// "01" to "99".
+std::string two_digits(int number);
+
+/// The flags that every lesson has, without the dashes.
+const List<std::string>& common_flags();
+
+}  // namespace cairn
