@@ -16,9 +16,9 @@ using cairn::List;
 // The rooms of src and their floors. A room may include itself and every room on a lower floor; collision may
 // also name the bodies of dynamics, which stands beside it. The core, which is installed, ends with measure.
 const std::map<std::string, int> floor_of_room = {
-    {"math", 0},    {"geometry", 1},   {"dynamics", 2}, {"collision", 2}, {"constraints", 3},
-    {"solvers", 4}, {"world", 5},      {"measure", 6},  {"reference", 7}, {"device", 7},
-    {"scenes", 8},  {"validation", 8}, {"study", 9},
+    {"math", 0},    {"geometry", 1},  {"dynamics", 2},   {"collision", 2}, {"constraints", 3},
+    {"solvers", 4}, {"world", 5},     {"measure", 6},    {"reference", 7}, {"device", 7},
+    {"samples", 7}, {"scenes", 8},    {"validation", 8}, {"study", 9},
 };
 const int last_floor_of_the_core = 6;
 

@@ -101,36 +101,28 @@ Measured least_thickness(const EngineMaker& make, int stones, int iterations) {
     return arch_stands(make, {.stones = stones, .thickness = thickness}, iterations);
   };
   const double expected = bisected({0.08, 0.13}, 1e-9, has_thrust).middle();
-  return within_share(
-      0.02, {.what = "least thickness of " + std::to_string(stones) + " stones, of the radius",
-             .formula = "least t/R with a line of thrust inside",
-             .expected = expected,
-             .got = bisected({0.96 * expected, 1.04 * expected}, 0.01 * expected, stands).middle(),
-             .reason = "2 %: half a bracket is 0.5 %, and the crown sinks while sweeps find the thrust"});
+  return measured("least thickness of " + std::to_string(stones) + " stones, of the radius",
+                  bisected({0.96 * expected, 1.04 * expected}, 0.01 * expected, stands).middle())
+      .by("least t/R with a line of thrust inside", expected)
+      .within_share(0.02, "2 %: half a bracket is 0.5 %, and the crown sinks while sweeps find the thrust");
 }
 
 /// 9 stones that have 4 % of their thickness to spare.
 Measured rest_of_the_crown(const EngineMaker& make, double least) {
   Motion arch(make, masonry_arch({.stones = 9, .thickness = 1.04 * least}), 300);
   arch.run(0.8);
-  return {.what = "speed of the crown of 9 stones, 4 % thicker, after 0.8 s",
-          .formula = "0",
-          .unit = "m/s",
-          .expected = 0,
-          .got = arch.velocity({5}).norm(),
-          .tolerance = 1e-6,
-          .reason = "48 warm starts of 300 sweeps: 1e-6 is far above what they leave"};
+  return measured("speed of the crown of 9 stones, 4 % thicker, after 0.8 s", arch.velocity({5}).norm(),
+                  "m/s")
+      .zero_within(1e-6, "48 warm starts of 300 sweeps: 1e-6 is far above what they leave");
 }
 
 Measured least_friction(const EngineMaker& make) {
   const auto has_thrust = [](double friction) { return thrust_exists({.friction = friction, .radius = 1}); };
   const auto sticks = [&make](double friction) { return arch_stands(make, {.friction = friction}, 300); };
-  return {.what = "least friction of 21 stones, 0.11 of the radius thick",
-          .formula = "least mu with a line of thrust inside",
-          .expected = bisected({0.3, 0.5}, 1e-9, has_thrust).middle(),
-          .got = bisected({0.38, 0.41}, 0.01, sticks).middle(),
-          .tolerance = 0.01,
-          .reason = "half a bracket is 0.005, and the crown sinks while sweeps find the thrust"};
+  return measured("least friction of 21 stones, 0.11 of the radius thick",
+                  bisected({0.38, 0.41}, 0.01, sticks).middle())
+      .by("least mu with a line of thrust inside", bisected({0.3, 0.5}, 1e-9, has_thrust).middle())
+      .within(0.01, "half a bracket is 0.005, and the crown sinks while sweeps find the thrust");
 }
 
 ValidationResult standing_arches(const EngineMaker& make) {

@@ -104,12 +104,12 @@ class BeamNumbers {
  public:
   BeamNumbers(const std::string& about, const std::string& formula, double limit)
       : limit_(limit),
-        order_({.what = "order in 1/n of what a short one costs more" + about,
-                .formula = "2",
-                .reason = "between n = 5 and 10 the next order still weighs 0.2"}),
-        cost_({.what = "sweeps a digit / n^4, extrapolated from n = 5 and 10" + about,
-               .formula = formula,
-               .reason = "the next order is the square of the first one's share, a quarter of it left"}) {}
+        order_(Worst("order in 1/n of what a short one costs more" + about)
+                   .by("2")
+                   .since("between n = 5 and 10 the next order still weighs 0.2")),
+        cost_(Worst("sweeps a digit / n^4, extrapolated from n = 5 and 10" + about)
+                  .by(formula)
+                  .since("the next order is the square of the first one's share, a quarter of it left")) {}
 
   void add(double five, double ten) {
     const double correction = five / limit_ - 1;
@@ -128,16 +128,11 @@ class BeamNumbers {
 ValidationResult welded_beam_statics(const EngineMaker&) {
   const std::string of = ": worst of all joints, n = 2, 5, 6 and 2 solvers",
                     reason = "12 digits of sweeps, and rounding in each of them: 1e-10 of it";
-  Worst along({.what = "impulse along the beam" + of,
-               .formula = "0",
-               .unit = "N s",
-               .reason = "12 digits of sweeps, of impulses up to 3 N s: 1e-10"});
-  Worst across(
-      {.what = "impulse across the beam" + of, .formula = "(n - k) m g dt", .unit = "N s", .reason = reason});
-  Worst moment({.what = "angular impulse" + of,
-                .formula = "(n - k)^2 m g a dt / 2",
-                .unit = "N m s",
-                .reason = reason});
+  Worst along = Worst("impulse along the beam" + of, "N s")
+                    .by("0")
+                    .since("12 digits of sweeps, of impulses up to 3 N s: 1e-10");
+  Worst across = Worst("impulse across the beam" + of, "N s").by("(n - k) m g dt").since(reason);
+  Worst moment = Worst("angular impulse" + of, "N m s").by("(n - k)^2 m g a dt / 2").since(reason);
   const double weight = standard_gravity * standard_dt;
   for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const int n : {2, 5, 6}) {
@@ -198,20 +193,20 @@ ValidationResult friction_between_normals(const EngineMaker&) {
   };
   const double limit = 0.9 / (5.0 / 4), twenty = share_times_n(20), forty = share_times_n(40);
   const double correction = twenty / limit - 1;
-  return {.numbers = {{.what = "n times the share of more sweeps, extrapolated from n = 20 and 40",
-                       .formula = "0.9 / (5/4)",
-                       .expected = limit,
-                       .got = 2 * forty - twenty,
-                       .tolerance = correction * correction / 2 * limit,
-                       .reason = "the next order is the square of the first one's share, half of it left"}}};
+  return {.numbers = {measured("n times the share of more sweeps, extrapolated from n = 20 and 40",
+                               2 * forty - twenty)
+                          .by("0.9 / (5/4)", limit)
+                          .within(correction * correction / 2 * limit,
+                                  "the next order is the square of the first one's share, half of it left")}};
 }
 
 // A7, A8
 ValidationResult rates_are_spectral_radii(const EngineMaker&) {
-  Worst worst({.what = "ln of the rate of sweeps, over that of the eigenvalue: worst of a welded beam, a "
-                       "glued stack, n = 4, 5, 6 and 2 solvers",
-               .formula = "1",
-               .reason = "the second mode is e^-40 of the first; 1e-6 for rounding of 1 - rate"});
+  Worst worst = Worst(
+                    "ln of the rate of sweeps, over that of the eigenvalue: worst of a welded beam, a "
+                    "glued stack, n = 4, 5, 6 and 2 solvers")
+                    .by("1")
+                    .since("the second mode is e^-40 of the first; 1e-6 for rounding of 1 - rate");
   for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const int n : {4, 5, 6}) {
       const VelocityProblem<double> beam = welded_cantilever(n), stack_of_boxes = glued_boxes(n, 1);
@@ -231,11 +226,11 @@ ValidationResult glued_stack_rank(const EngineMaker&) {
   for (const int n : {1, 4, 8}) {
     const VelocityProblem<double> start = glued_boxes(n, 1);
     const Eigen::FullPivLU<Matrix<double>> factors(system_matrices(start).A);
-    result.numbers.push_back({.what = "friction rows too many in a stack of " + std::to_string(n),
-                              .formula = "n",
-                              .expected = static_cast<double>(n),
-                              .got = static_cast<double>(factors.dimensionOfKernel()),
-                              .reason = "a count"});
+    result.add({.what = "friction rows too many in a stack of " + std::to_string(n),
+                .formula = "n",
+                .expected = static_cast<double>(n),
+                .got = static_cast<double>(factors.dimensionOfKernel()),
+                .reason = "a count"});
     int slipping = 0;
     for (const SolverMaker<double>& make : paper_solvers<double>()) {
       VelocityProblem<double> problem = start;
@@ -246,10 +241,10 @@ ValidationResult glued_stack_rank(const EngineMaker&) {
         slipping += holds ? 0 : 1;
       }
     }
-    result.numbers.push_back({.what = "contacts that slip or open in a stack of " + std::to_string(n),
-                              .formula = "0",
-                              .got = static_cast<double>(slipping),
-                              .reason = "a count, over 2 solvers"});
+    result.add({.what = "contacts that slip or open in a stack of " + std::to_string(n),
+                .formula = "0",
+                .got = static_cast<double>(slipping),
+                .reason = "a count, over 2 solvers"});
   }
   return result;
 }

@@ -58,13 +58,12 @@ BounceRecord watch_ball(const EngineMaker& make, double frequency, double second
 void add_bounce_apexes(List<Measured>& numbers, const BounceRecord& record, double frequency) {
   const double fall_speed = std::sqrt(2 * standard_gravity * bounce_height);
   for (int bounce = 1; bounce <= 5; ++bounce) {
-    numbers.push_back({.what = fmt::format("apex after bounce {} at {} Hz", bounce, frequency),
-                       .formula = fmt::format("e^{} h", 2 * bounce),
-                       .unit = "m",
-                       .expected = std::pow(bounce_restitution, 2 * bounce) * bounce_height,
-                       .got = bounce <= record.apexes.size() ? record.apexes[bounce - 1] : 0,
-                       .tolerance = fall_speed / frequency * (1 + bounce_restitution),
-                       .reason = "it turns up to v dt above the ground: v dt (1 + e)"});
+    numbers.push_back(
+        measured(fmt::format("apex after bounce {} at {} Hz", bounce, frequency),
+                 bounce <= record.apexes.size() ? record.apexes[bounce - 1] : 0, "m")
+            .by(fmt::format("e^{} h", 2 * bounce), std::pow(bounce_restitution, 2 * bounce) * bounce_height)
+            .within(fall_speed / frequency * (1 + bounce_restitution),
+                    "it turns up to v dt above the ground: v dt (1 + e)"));
   }
 }
 
@@ -73,18 +72,13 @@ void add_rest(List<Measured>& numbers, const BounceRecord& record, double freque
   const double steps = (record.end - record.last_bounce) * frequency;
   const double tremble = standard_gravity / frequency * std::pow(bounce_restitution, steps / 4);
   const double rounding = 8 * double_epsilon;  // [m] of heights below 1 m
-  numbers.push_back({.what = fmt::format("height at rest at {} Hz", frequency),
-                     .formula = "0",
-                     .unit = "m",
-                     .got = ball_height(record.rest),
-                     .tolerance = tremble / frequency + rounding,
-                     .reason = "below g dt it keeps e of its speed every four steps; rounding of 1 m"});
-  numbers.push_back({.what = fmt::format("speed at rest at {} Hz", frequency),
-                     .formula = "0",
-                     .unit = "m/s",
-                     .got = ball_speed(record.rest),
-                     .tolerance = tremble + rounding * frequency,
-                     .reason = "below g dt it keeps e of its speed every four steps; rounding of 1 m/dt"});
+  numbers.push_back(measured(fmt::format("height at rest at {} Hz", frequency), ball_height(record.rest), "m")
+                        .zero_within(tremble / frequency + rounding,
+                                     "below g dt it keeps e of its speed every four steps; rounding of 1 m"));
+  numbers.push_back(
+      measured(fmt::format("speed at rest at {} Hz", frequency), ball_speed(record.rest), "m/s")
+          .zero_within(tremble + rounding * frequency,
+                       "below g dt it keeps e of its speed every four steps; rounding of 1 m/dt"));
 }
 
 /// v^2 / 2 + g y - g dt v / 2, for a ball of 1 kg [J]: what a step of v -= g dt, y += v dt keeps exactly.
@@ -102,13 +96,11 @@ Measured elastic_minute(const EngineMaker& make) {
     ball->step();
     energies.push_back(discrete_ball_energy(ball->snapshot()));
   }
-  return {.what = "energy in a minute of elastic bouncing at 60 Hz, the farthest from the start",
-          .formula = "v^2/2 + g y - g dt v/2 = g h",
-          .unit = "J",
-          .expected = standard_gravity * bounce_height,
-          .got = farthest(start, energies),
-          .tolerance = 16 * double_epsilon * steps * start,
-          .reason = "a step rounds v and y, below 4.5, a few times: 16 epsilon of g h"};
+  return measured("energy in a minute of elastic bouncing at 60 Hz, the farthest from the start",
+                  farthest(start, energies), "J")
+      .by("v^2/2 + g y - g dt v/2 = g h", standard_gravity * bounce_height)
+      .within(16 * double_epsilon * steps * start,
+              "a step rounds v and y, below 4.5, a few times: 16 epsilon of g h");
 }
 
 // It falls for sqrt(2h/g), and each bounce lasts 2 e sqrt(2h/g), e^2, ...: a geometric series.
@@ -123,17 +115,14 @@ ValidationResult bouncing_ball(const EngineMaker& make) {
   for (const Accuracy& row : {Accuracy{60, 0.1}, Accuracy{960, 0.02}}) {
     const BounceRecord record = watch_ball(make, row.frequency, 2 * total);
     add_bounce_apexes(result.numbers, record, row.frequency);
-    result.numbers.push_back(
-        {.what = fmt::format("time until it lies still at {} Hz", row.frequency),
-         .formula = "sqrt(2h/g) (1 + e)/(1 - e)",
-         .unit = "s",
-         .expected = total,
-         .got = record.last_bounce,
-         .tolerance = row.share * total,
-         .reason = "bounces shorter than a step are lost, and each turns up to dt early"});
+    result.add(
+        measured(fmt::format("time until it lies still at {} Hz", row.frequency), record.last_bounce, "s")
+            .by("sqrt(2h/g) (1 + e)/(1 - e)", total)
+            .within(row.share * total,
+                    "bounces shorter than a step are lost, and each turns up to dt early"));
     add_rest(result.numbers, record, row.frequency);
   }
-  result.numbers.push_back(elastic_minute(make));
+  result.add(elastic_minute(make));
   return result;
 }
 
@@ -142,7 +131,6 @@ ValidationResult bouncing_ball(const EngineMaker& make) {
 void add_bounce_cases(ValidationCases& cases) {
   cases.push_back({.id = "B4",
                    .title = "A ball that keeps e of its speed rises to e^2 of its height at each bounce",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = bouncing_ball});
 }

@@ -61,22 +61,17 @@ ValidationResult capstan(const EngineMaker& make) {
     // 0.1 % too much gives accelerations of 1.7e-3 m/s^2 and more: 4e-4 m/s in a quarter of a second.
     const auto slips = [&make, n](double ratio) { return capstan_slips(make, n, ratio); };
     const double got = bisected({0.95 * expected, 1.05 * expected}, 0.002 * expected, slips).middle();
-    result.numbers.push_back(within_share(
-        0.0025, {.what = "ratio of weights that a rope with " + std::to_string(n) + " corners holds",
-                 .formula = "((1 + mu tan h)/(1 - mu tan h))^n, h = pi/2n",
-                 .expected = expected,
-                 .got = got,
-                 .reason = "half a bracket of 0.2 %, and up to 0.13 % more to reach 5e-4 m/s in 0.25 s"}));
+    result.add(measured("ratio of weights that a rope with " + std::to_string(n) + " corners holds", got)
+                   .by("((1 + mu tan h)/(1 - mu tan h))^n, h = pi/2n", expected)
+                   .within_share(
+                       0.0025, "half a bracket of 0.2 %, and up to 0.13 % more to reach 5e-4 m/s in 0.25 s"));
   }
   // tan(h) = h + h^3 / 3 and atanh(x) = x + x^3 / 3.
   const double mu = capstan_friction;
-  result.numbers.push_back(
-      within_share(1.5 * mu * (1 + mu * mu) * std::pow(pi, 3) / (12 * 12 * 12) + 0.0025,
-                   {.what = "the same with 12 corners, beside a round rope",
-                    .formula = "e^(mu pi)",
-                    .expected = std::exp(mu * pi),
-                    .got = result.numbers.back().got,
-                    .reason = "1.5 mu (1 + mu^2) pi^3/12 n^2 of the corners, and as above"}));
+  result.add(measured("the same with 12 corners, beside a round rope", result.numbers.back().got)
+                 .by("e^(mu pi)", std::exp(mu * pi))
+                 .within_share(1.5 * mu * (1 + mu * mu) * std::pow(pi, 3) / (12 * 12 * 12) + 0.0025,
+                               "1.5 mu (1 + mu^2) pi^3/12 n^2 of the corners, and as above"));
   return result;
 }
 

@@ -25,6 +25,32 @@ class CairnEngine final : public Engine {
 
 }  // namespace
 
+Measured measured(const std::string& what, double got, const std::string& unit) {
+  return {.what = what, .unit = unit, .got = got};
+}
+
+Measured Measured::by(const std::string& its_formula, double value) const {
+  Measured number = *this;
+  number.formula = its_formula;
+  number.expected = value;
+  return number;
+}
+
+Measured Measured::within(double its_tolerance, const std::string& why) const {
+  Measured number = *this;
+  number.tolerance = its_tolerance;
+  number.reason = why;
+  return number;
+}
+
+Measured Measured::within_share(double share, const std::string& why) const {
+  return within(share * std::abs(expected), why);
+}
+
+Measured Measured::zero_within(double its_tolerance, const std::string& why) const {
+  return by("0", 0).within(its_tolerance, why);
+}
+
 double Convergence::order() const {
   const auto n = static_cast<double>(dt.size());
   double x = 0, y = 0, xx = 0, xy = 0;

@@ -23,9 +23,20 @@ struct Measured {
   double got = 0;
   double tolerance = 0;     // of |got - expected|
   std::string reason = {};  // where the tolerance comes from
+
+  /// What a formula makes of it.
+  Measured by(const std::string& its_formula, double value) const;
+  /// How far it may be off, and why; `share`: of what is expected.
+  Measured within(double its_tolerance, const std::string& why) const;
+  Measured within_share(double share, const std::string& why) const;
+  /// By the formula 0.
+  Measured zero_within(double its_tolerance, const std::string& why) const;
   double error() const { return std::abs(got - expected); }
   bool passes() const { return error() <= tolerance; }  // a NaN does not
 };
+
+/// "impulse under box 1 of 5", and what came out.
+Measured measured(const std::string& what, double got, const std::string& unit = "");
 
 /// Errors of one number at finer and finer steps.
 struct Convergence {
@@ -42,6 +53,7 @@ struct Convergence {
 struct ValidationResult {
   List<Measured> numbers = {};
   std::optional<Convergence> convergence = {};
+  void add(const Measured& number) { numbers.push_back(number); }
   bool passes() const;
 };
 
@@ -70,9 +82,9 @@ enum class Asks {
 };
 
 struct ValidationCase {
-  std::string id = {};      // of the list of cases: "B4"
-  std::string title = {};   // a sentence that holds
-  std::string source = {};  // "M. W. Walker, 1904"; "derived" where the comment of the case derives it
+  std::string id = {};             // of the list of cases: "B4"
+  std::string title = {};          // a sentence that holds
+  std::string source = "derived";  // by the comment of the case; or "M. W. Walker, 1904"
   Asks asks = Asks::cairn;
   /// `make` is cairn_engine() unless asks is any_engine.
   std::function<ValidationResult(const EngineMaker& make)> run = {};

@@ -70,9 +70,4 @@ Convergence converges(const std::string& what, const std::function<double(double
   return result;
 }
 
-Measured within_share(double share, Measured number) {
-  number.tolerance = share * std::abs(number.expected);
-  return number;
-}
-
 }  // namespace cairn::cases

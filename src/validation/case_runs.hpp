@@ -67,7 +67,4 @@ void add_bracket(List<Measured>& numbers, const Measured& number, const Bracket&
 Convergence converges(const std::string& what, const std::function<double(double frequency)>& error,
                       double lowest = 0.8, double highest = 1.2);
 
-/// The number with a tolerance of this share of what is expected.
-Measured within_share(double share, Measured number);
-
 }  // namespace cairn::cases

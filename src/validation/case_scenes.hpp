@@ -11,8 +11,9 @@
 #include "constraints/revolute_joint.hpp"
 #include "constraints/weld_joint.hpp"
 #include "geometry/shape.hpp"
-#include "world/scene.hpp"
 #include "math/list.hpp"
+#include "samples/samples.hpp"
+#include "world/scene.hpp"
 
 namespace cairn::cases {
 
@@ -80,12 +81,7 @@ inline Scene welded_beam(int boxes) {
 /// Boxes of 1 m in rows of base, base - 1, ..., 1 on the ground, neighbours 0.1 m apart.
 inline void add_pyramid(Scene& scene, int base) {
   scene.add_ground({.half_width = 0.6 * base + 10});
-  for (int level = 0; level < base; ++level) {
-    for (int i = 0; i < base - level; ++i) {
-      const double x = 1.1 * (i + 0.5 * (level - base + 1));  // the middle of the lowest row at 0
-      scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + level}});
-    }
-  }
+  samples::add_pyramid(scene, {.base = base, .pitch = 1.1});
 }
 
 /// The free end of a chain.

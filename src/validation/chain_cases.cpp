@@ -17,17 +17,16 @@ using namespace cairn::cases;
 ValidationResult free_chain_sweeps(const EngineMaker&) {
   ValidationResult result;
   for (const int m : {4, 9, 19}) {
-    Worst worst({.what = "sweeps a digit of " + std::to_string(m) + " rods: worst of 5 solvers",
-                 .formula = "ln 10 / -ln cos^2(pi/(m+1))",
-                 .unit = "sweeps",
-                 .reason = "the next mode is e^(-3 pi^2 / 2) = 4e-7 of the slowest at first; 1e-5 of all"});
+    Worst worst = Worst("sweeps a digit of " + std::to_string(m) + " rods: worst of 5 solvers", "sweeps")
+                      .by("ln 10 / -ln cos^2(pi/(m+1))")
+                      .since("the next mode is e^(-3 pi^2 / 2) = 4e-7 of the slowest at first; 1e-5 of all");
     const double expected = sweeps_a_digit(std::pow(std::cos(pi / (m + 1)), 2));
     const int last = (m + 1) * (m + 1);
     for (const SolverMaker<double>& make : all_solvers<double>()) {
       const double rate = measured_rate(make, free_chain(m + 1), last / 2, last);
       worst.add(expected, sweeps_a_digit(rate), 1e-5 * expected);
     }
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
   return result;
 }
@@ -51,16 +50,15 @@ VelocityProblem<double> pinned_chain(int n) {
 ValidationResult pinned_chain_sweeps(const EngineMaker&) {
   ValidationResult result;
   for (const int n : {5, 10, 20}) {
-    Worst worst({.what = "sweeps a digit of " + std::to_string(n) + " beads: worst of 5 solvers",
-                 .formula = "ln 10 / -ln cos^2(pi/n)",
-                 .unit = "sweeps",
-                 .reason = "the next mode is e^(-3 pi^2 / 2) = 4e-7 of the slowest at first; 1e-5 of all"});
+    Worst worst = Worst("sweeps a digit of " + std::to_string(n) + " beads: worst of 5 solvers", "sweeps")
+                      .by("ln 10 / -ln cos^2(pi/n)")
+                      .since("the next mode is e^(-3 pi^2 / 2) = 4e-7 of the slowest at first; 1e-5 of all");
     const double expected = sweeps_a_digit(std::pow(std::cos(pi / n), 2));
     for (const SolverMaker<double>& make : all_solvers<double>()) {
       const double rate = measured_rate(make, pinned_chain(n), n * n / 2, n * n);
       worst.add(expected, sweeps_a_digit(rate), 1e-5 * expected);
     }
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
   return result;
 }
@@ -70,15 +68,15 @@ ValidationResult heavy_on_light_sweeps(const EngineMaker&) {
   ValidationResult result;
   for (const double ratio : {1.0, 10.0, 100.0, 1000.0}) {
     const double expected = sweeps_a_digit(ratio / (1 + ratio));
-    Worst worst({.what = "sweeps a digit, R = " + std::to_string(std::lround(ratio)) + ": worst of 5 solvers",
-                 .formula = "ln 10 / ln(1 + 1/R), about 2.3 (R + 1/2)",
-                 .unit = "sweeps",
-                 .reason = "1 - rate = 1/(1 + R) is rounded: 64 e epsilon (1 + R) of all"});
+    Worst worst =
+        Worst("sweeps a digit, R = " + std::to_string(std::lround(ratio)) + ": worst of 5 solvers", "sweeps")
+            .by("ln 10 / ln(1 + 1/R), about 2.3 (R + 1/2)")
+            .since("1 - rate = 1/(1 + R) is rounded: 64 e epsilon (1 + R) of all");
     for (const SolverMaker<double>& make : all_solvers<double>()) {
       const double rate = measured_rate(make, column<double>({1, ratio}), 1, 5 + static_cast<int>(ratio));
       worst.add(expected, sweeps_a_digit(rate), 64 * double_epsilon * (1 + ratio) * std::exp(1.0) * expected);
     }
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
   return result;
 }
@@ -90,15 +88,15 @@ ValidationResult heavy_on_stack_sweeps(const EngineMaker&) {
   for (const int n : {3, 5}) {
     List<double> masses(n, 1.0);
     masses.back() = ratio;
-    Worst worst({.what = "sweeps a digit, R = 100, n = " + std::to_string(n) + ": worst of 5 solvers",
-                 .formula = "ln 10 ((n-1) R + 4 n^2 / pi^2)",
-                 .unit = "sweeps",
-                 .reason = "the formula adds two time scales that act together: 15 %"});
+    Worst worst =
+        Worst("sweeps a digit, R = 100, n = " + std::to_string(n) + ": worst of 5 solvers", "sweeps")
+            .by("ln 10 ((n-1) R + 4 n^2 / pi^2)")
+            .since("the formula adds two time scales that act together: 15 %");
     const double expected = std::log(10.0) * ((n - 1) * ratio + 4 / (pi * pi) * n * n);
     for (const SolverMaker<double>& make : all_solvers<double>()) {
       worst.add(expected, sweeps_a_digit(measured_rate(make, column(masses), 1000, 2000)), 0.15 * expected);
     }
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
   return result;
 }
@@ -106,9 +104,9 @@ ValidationResult heavy_on_stack_sweeps(const EngineMaker&) {
 // A6
 ValidationResult light_on_heavy_sweeps(const EngineMaker&) {
   const double ratio = 0.01;
-  Worst worst({.what = "share of the error that a sweep leaves, r = 0.01: worst of 5 solvers",
-               .formula = "r / (1 + r)",
-               .reason = "sweep 4 leaves 1e-6 of sweep 1, rounded to 64 epsilon of that"});
+  Worst worst = Worst("share of the error that a sweep leaves, r = 0.01: worst of 5 solvers")
+                    .by("r / (1 + r)")
+                    .since("sweep 4 leaves 1e-6 of sweep 1, rounded to 64 epsilon of that");
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     const double expected = ratio / (1 + ratio);
     worst.add(expected, measured_rate(make, column<double>({1, ratio}), 1, 4),
@@ -134,20 +132,12 @@ ValidationResult box_on_three_points(const EngineMaker&) {
   const double weight = standard_gravity * standard_dt;
   const std::string any = ": worst of 6 orders and 5 solvers", some = ": worst of 2 orders and 5 solvers";
   const std::string one = "64 epsilon of 1 N s, more than what the few sweeps before rest round";
-  Worst speed({.what = "largest velocity" + any, .formula = "0", .unit = "m/s", .reason = one});
-  Worst sum({.what = "sum of impulses" + any, .formula = "m g dt", .unit = "N s", .reason = one});
-  List<Worst> middle = {Worst({.what = "impulse in the middle, its row first" + some,
-                               .formula = "m g dt",
-                               .unit = "N s",
-                               .reason = one}),
-                        Worst({.what = "impulse in the middle, its row second" + some,
-                               .formula = "5/9 m g dt",
-                               .unit = "N s",
-                               .reason = one}),
-                        Worst({.what = "impulse in the middle, its row last" + some,
-                               .formula = "1/9 m g dt",
-                               .unit = "N s",
-                               .reason = one})};
+  Worst speed = Worst("largest velocity" + any, "m/s").by("0").since(one);
+  Worst sum = Worst("sum of impulses" + any, "N s").by("m g dt").since(one);
+  List<Worst> middle = {
+      Worst("impulse in the middle, its row first" + some, "N s").by("m g dt").since(one),
+      Worst("impulse in the middle, its row second" + some, "N s").by("5/9 m g dt").since(one),
+      Worst("impulse in the middle, its row last" + some, "N s").by("1/9 m g dt").since(one)};
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     List<double> places = {-0.5, 0, 0.5};
     do {
@@ -162,7 +152,7 @@ ValidationResult box_on_three_points(const EngineMaker&) {
     } while (std::next_permutation(places.begin(), places.end()));
   }
   ValidationResult result{.numbers = {speed.number(), sum.number()}};
-  for (const Worst& place : middle) result.numbers.push_back(place.number());
+  for (const Worst& place : middle) result.add(place.number());
   return result;
 }
 

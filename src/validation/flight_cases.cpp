@@ -34,13 +34,9 @@ ValidationResult free_flight(const EngineMaker& make) {
     const double rounding = 2 * 20 * double_epsilon * t * frequency;
     const auto add = [&](const char* what, const char* formula, const char* unit, double expected,
                          double got) {
-      result.numbers.push_back({.what = fmt::format("{} after 2 s at {} Hz", what, frequency),
-                                .formula = formula,
-                                .unit = unit,
-                                .expected = expected,
-                                .got = got,
-                                .tolerance = rounding,
-                                .reason = "rounding of numbers below 20, twice a step"});
+      result.add(measured(fmt::format("{} after 2 s at {} Hz", what, frequency), got, unit)
+                     .by(formula, expected)
+                     .within(rounding, "rounding of numbers below 20, twice a step"));
     };
     add("height", "y0 + v0 t - g t^2/2 - g t dt/2", "m", parabola - g * t / frequency / 2,
         body.pose.position.y());
@@ -81,14 +77,12 @@ ValidationResult oblique_hit(const EngineMaker& make) {
       const Vec2<double> second = end.bodies[{2}].velocity.head<2>();
       products.push_back(first.dot(second));
       energies.push_back((first.squaredNorm() + second.squaredNorm()) / 2);
-      result.numbers.push_back(
-          {.what = fmt::format("direction of the disc hit {} m off centre, at {} Hz", offset, frequency),
-           .formula = "asin(offset/2R)",
-           .unit = "rad",
-           .expected = std::asin(offset / (2 * hit_radius)),
-           .got = std::atan2(second.y(), second.x()),
-           .tolerance = 2 * hit_speed / frequency / hit_radius,
-           .reason = "the normal is that of the step's begin, up to v dt before they touch: 2 v dt/R"});
+      result.add(
+          measured(fmt::format("direction of the disc hit {} m off centre, at {} Hz", offset, frequency),
+                   std::atan2(second.y(), second.x()), "rad")
+              .by("asin(offset/2R)", std::asin(offset / (2 * hit_radius)))
+              .within(2 * hit_speed / frequency / hit_radius,
+                      "the normal is that of the step's begin, up to v dt before they touch: 2 v dt/R"));
     }
   }
   const double energy = hit_speed * hit_speed / 2;
@@ -96,19 +90,12 @@ ValidationResult oblique_hit(const EngineMaker& make) {
   const double off = hit_speed / 60 / 2;
   const double spin = 2 * 2 * off * off / (hit_radius * hit_radius);
   const std::string reason = "arms off by v dt/2 turn both discs: 2 (v dt/2)^2/R^2 of the energy each";
-  result.numbers.push_back({.what = "product of the two velocities, worst of six hits",
-                            .formula = "v1 . v2 = 0",
-                            .unit = "m^2/s^2",
-                            .got = farthest(0, products),
-                            .tolerance = spin * energy,
-                            .reason = reason});
-  result.numbers.push_back({.what = "energy after the hit, worst of six hits",
-                            .formula = "m v^2/2",
-                            .unit = "J",
-                            .expected = energy,
-                            .got = farthest(energy, energies),
-                            .tolerance = spin * energy,
-                            .reason = reason});
+  result.add(measured("product of the two velocities, worst of six hits", farthest(0, products), "m^2/s^2")
+                 .by("v1 . v2 = 0", 0)
+                 .within(spin * energy, reason));
+  result.add(measured("energy after the hit, worst of six hits", farthest(energy, energies), "J")
+                 .by("m v^2/2", energy)
+                 .within(spin * energy, reason));
   return result;
 }
 
@@ -117,12 +104,10 @@ ValidationResult oblique_hit(const EngineMaker& make) {
 void add_flight_cases(ValidationCases& cases) {
   cases.push_back({.id = "B1",
                    .title = "A thrown body flies along its parabola, but g t dt / 2 lower",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = free_flight});
   cases.push_back({.id = "B3",
                    .title = "Two equal elastic discs part at a right angle if one of them was at rest",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = oblique_hit});
 }

@@ -48,19 +48,14 @@ Kick strike(const EngineMaker& make, double share) {
 ValidationResult blows_on_a_hinged_rod(const List<EngineMaker>& engines, const std::string& about) {
   const std::string reason = "64 epsilon of the blow";
   ValidationResult result;
-  Worst along({.what = "impulse of the hinge along the rod, d = 0..L" + about,
-               .formula = "0",
-               .unit = "N s",
-               .reason = reason});
+  Worst along = Worst("impulse of the hinge along the rod, d = 0..L" + about, "N s").by("0").since(reason);
   for (const double share : {0.0, 0.25, 0.5, 2.0 / 3, 1.0}) {
-    Worst across({.what = "impulse of the hinge, d/L = " + fmt::format("{:.2f}", share) + about,
-                  .formula = "J (3d/2L - 1)",
-                  .unit = "N s",
-                  .reason = reason});
-    Worst spin({.what = "spin, d/L = " + fmt::format("{:.2f}", share) + about,
-                .formula = "3 J d / (m L^2)",
-                .unit = "rad/s",
-                .reason = reason});
+    Worst across = Worst("impulse of the hinge, d/L = " + fmt::format("{:.2f}", share) + about, "N s")
+                       .by("J (3d/2L - 1)")
+                       .since(reason);
+    Worst spin = Worst("spin, d/L = " + fmt::format("{:.2f}", share) + about, "rad/s")
+                     .by("3 J d / (m L^2)")
+                     .since(reason);
     for (const EngineMaker& make : engines) {
       const Kick kick = strike(make, share);
       across.add(blow * (1.5 * share - 1), kick.across, 64 * double_epsilon * blow);
@@ -68,10 +63,10 @@ ValidationResult blows_on_a_hinged_rod(const List<EngineMaker>& engines, const s
       spin.add(3 * blow * share / (struck_mass * struck_length), kick.spin,
                64 * double_epsilon * blow / (struck_mass * struck_length));
     }
-    result.numbers.push_back(across.number());
-    result.numbers.push_back(spin.number());
+    result.add(across.number());
+    result.add(spin.number());
   }
-  result.numbers.push_back(along.number());
+  result.add(along.number());
   return result;
 }
 

@@ -19,16 +19,9 @@ ValidationResult sliding_feet(const EngineMaker&) {
   const double b = 1, h = 0.5, fall = standard_gravity * standard_dt;
   const std::string any = ": worst of mu = 0, 0.1, 0.4 and of 5 solvers";
   const std::string reason = "each sweep leaves less than half of the error, 1000 only rounding: 1e-12 of it";
-  Worst rear({.what = "impulse of the rear foot" + any,
-              .formula = "m g dt (1 - mu h/b) / 2",
-              .unit = "N s",
-              .reason = reason});
-  Worst front({.what = "impulse of the front foot" + any,
-               .formula = "m g dt (1 + mu h/b) / 2",
-               .unit = "N s",
-               .reason = reason});
-  Worst friction(
-      {.what = "friction of both feet" + any, .formula = "-mu m g dt", .unit = "N s", .reason = reason});
+  Worst rear = Worst("impulse of the rear foot" + any, "N s").by("m g dt (1 - mu h/b) / 2").since(reason);
+  Worst front = Worst("impulse of the front foot" + any, "N s").by("m g dt (1 + mu h/b) / 2").since(reason);
+  Worst friction = Worst("friction of both feet" + any, "N s").by("-mu m g dt").since(reason);
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     for (const double mu : {0.0, 0.1, 0.4}) {
       VelocityProblem<double> problem = empty_problem<double>();
@@ -59,20 +52,12 @@ ValidationResult sliding_feet_of_a_box(const EngineMaker& make) {
   }
   const double weight = standard_gravity * standard_dt;
   const std::string reason = "1e-9 of the weight: the arms of the feet change by rounding in each step";
-  return {.numbers = {{.what = "impulse of the rear foot, h/b = 1/2, mu = 0.4",
-                       .formula = "m g dt (1 - mu h/b) / 2",
-                       .unit = "N s",
-                       .expected = 0.4 * weight,
-                       .got = rear,
-                       .tolerance = 1e-9 * weight,
-                       .reason = reason},
-                      {.what = "impulse of the front foot, h/b = 1/2, mu = 0.4",
-                       .formula = "m g dt (1 + mu h/b) / 2",
-                       .unit = "N s",
-                       .expected = 0.6 * weight,
-                       .got = front,
-                       .tolerance = 1e-9 * weight,
-                       .reason = reason}}};
+  return {.numbers = {measured("impulse of the rear foot, h/b = 1/2, mu = 0.4", rear, "N s")
+                          .by("m g dt (1 - mu h/b) / 2", 0.4 * weight)
+                          .within(1e-9 * weight, reason),
+                      measured("impulse of the front foot, h/b = 1/2, mu = 0.4", front, "N s")
+                          .by("m g dt (1 + mu h/b) / 2", 0.6 * weight)
+                          .within(1e-9 * weight, reason)}};
 }
 
 /// One step of n discs of radius 0.5 m and mass 1 kg in a row, touching, without gravity, of which the first
@@ -98,13 +83,12 @@ double struck_disc_speed(int n, int i) { return i == 0 ? 2.0 / n - 1 : 2.0 / n; 
 // A12
 ValidationResult row_of_discs(const EngineMaker&) {
   const std::string any = ": worst of n = 2, 3, 5 and of 5 solvers";
-  Worst speed({.what = "speed of a disc" + any,
-               .formula = "2v/n - v for the first, 2v/n for the others",
-               .unit = "m/s",
-               .reason = "64 epsilon, each of which lives 1 / (1 - 0.655) sweeps"});
-  Worst energy({.what = "energy after the impact, over before" + any,
-                .formula = "1",
-                .reason = "the squares of five such speeds: below 1e-12"});
+  Worst speed = Worst("speed of a disc" + any, "m/s")
+                    .by("2v/n - v for the first, 2v/n for the others")
+                    .since("64 epsilon, each of which lives 1 / (1 - 0.655) sweeps");
+  Worst energy = Worst("energy after the impact, over before" + any)
+                     .by("1")
+                     .since("the squares of five such speeds: below 1e-12");
   for (const EngineMaker& make : gauss_seidel_engines()) {
     for (const int n : {2, 3, 5}) {
       const Snapshot after = struck_row_of_discs(make, n);
@@ -125,13 +109,11 @@ ValidationResult row_of_five_discs(const EngineMaker& make) {
   const Snapshot after = struck_row_of_discs(make, 5);
   ValidationResult result;
   for (int i = 0; i < 5; ++i) {
-    result.numbers.push_back({.what = "speed of disc " + std::to_string(i + 1) + " of 5",
-                              .formula = i == 0 ? "2v/n - v" : "2v/n",
-                              .unit = "m/s",
-                              .expected = struck_disc_speed(5, i),
-                              .got = after.bodies[{i + 1}].velocity.x(),
-                              .tolerance = 64 * double_epsilon / (1 - 0.655),
-                              .reason = "64 epsilon, each of which lives 1 / (1 - 0.655) sweeps"});
+    result.add(measured("speed of disc " + std::to_string(i + 1) + " of 5",
+                        after.bodies[{i + 1}].velocity.x(), "m/s")
+                   .by(i == 0 ? "2v/n - v" : "2v/n", struck_disc_speed(5, i))
+                   .within(64 * double_epsilon / (1 - 0.655),
+                           "64 epsilon, each of which lives 1 / (1 - 0.655) sweeps"));
   }
   return result;
 }
@@ -151,27 +133,15 @@ void add_glance(double u, const Vec3<double>& velocity, const std::string& about
   const std::string at = "at u = " + std::to_string(std::lround(u)) + " m/s" + about;
   const std::string limit = " min(u/3, mu (1+e) v_n)";
   const std::string reason = "the rows do not act on each other: rounding of 12 m/s";
-  result.numbers.push_back({.what = "speed " + at,
-                            .formula = "u -" + limit,
-                            .unit = "m/s",
-                            .expected = u - glance_change(u),
-                            .got = velocity.x(),
-                            .tolerance = tolerance,
-                            .reason = reason});
-  result.numbers.push_back({.what = "spin " + at,
-                            .formula = "-2/R" + limit,
-                            .unit = "rad/s",
-                            .expected = -2 * glance_change(u) / glance_radius,
-                            .got = velocity.z(),
-                            .tolerance = tolerance / glance_radius,
-                            .reason = reason});
-  result.numbers.push_back({.what = "rise " + at,
-                            .formula = "e v_n",
-                            .unit = "m/s",
-                            .expected = glance_e * glance_fall,
-                            .got = velocity.y(),
-                            .tolerance = tolerance,
-                            .reason = reason});
+  result.add(measured("speed " + at, velocity.x(), "m/s")
+                 .by("u -" + limit, u - glance_change(u))
+                 .within(tolerance, reason));
+  result.add(measured("spin " + at, velocity.z(), "rad/s")
+                 .by("-2/R" + limit, -2 * glance_change(u) / glance_radius)
+                 .within(tolerance / glance_radius, reason));
+  result.add(measured("rise " + at, velocity.y(), "m/s")
+                 .by("e v_n", glance_e * glance_fall)
+                 .within(tolerance, reason));
 }
 
 // A14. The contact point of a disc without spin slides at u. An impulse P of friction takes P/m off the speed

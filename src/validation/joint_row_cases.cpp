@@ -71,13 +71,12 @@ ValidationResult rope_on_many_bodies(const EngineMaker&) {
                                 {"r = 1, 2, 2, 1, m = 3, 1, 2, 5 kg", {1, 2, 2, 1}, {3, 1, 2, 5}}};
   ValidationResult result;
   for (const RopeCase& rope : ropes) {
-    Worst worst({.what = "tension after one sweep, " + rope.about + ": worst of 10 solvers and 2 scalars",
-                 .formula = "sum r_i g / sum (r_i^2 / m_i)",
-                 .unit = "N",
-                 .reason = "one row, one division: 16 epsilon of the scalar"});
+    Worst worst = Worst("tension after one sweep, " + rope.about + ": worst of 10 solvers and 2 scalars", "N")
+                      .by("sum r_i g / sum (r_i^2 / m_i)")
+                      .since("one row, one division: 16 epsilon of the scalar");
     add_tensions<float>(rope, worst);
     add_tensions<double>(rope, worst);
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
   return result;
 }
@@ -119,16 +118,11 @@ ValidationResult wheels_in_mesh(const EngineMaker&) {
   const double acceleration = gear_torque / (gear_inertia[0] + gear_inertia[1] * ratio * ratio);
   const std::string any = ": worst of inner and outer teeth and 5 solvers";
   const std::string reason = "20 sweeps of warm start: 1e-9 of it";
-  Worst driven({.what = "acceleration of the driven wheel" + any,
-                .formula = "tau / (I1 + I2 (r1/r2)^2)",
-                .unit = "rad/s^2",
-                .reason = reason});
-  Worst other({.what = "acceleration of the other wheel" + any,
-               .formula = "a1 r1/r2",
-               .unit = "rad/s^2",
-               .reason = reason});
-  Worst tooth(
-      {.what = "force between the teeth" + any, .formula = "I2 a2 / r2", .unit = "N", .reason = reason});
+  Worst driven = Worst("acceleration of the driven wheel" + any, "rad/s^2")
+                     .by("tau / (I1 + I2 (r1/r2)^2)")
+                     .since(reason);
+  Worst other = Worst("acceleration of the other wheel" + any, "rad/s^2").by("a1 r1/r2").since(reason);
+  Worst tooth = Worst("force between the teeth" + any, "N").by("I2 a2 / r2").since(reason);
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     for (const GearJoint::Mesh mesh : {GearJoint::Mesh::external, GearJoint::Mesh::internal}) {
       const GearMotion motion = run_gear(mesh, *make({.iterations = 20}));
@@ -176,11 +170,11 @@ double spring_error(double zeta) {
 
 template <Scalar Real>
 Measured spring_number(const std::string& scalar) {
-  Worst worst({.what = "error of 10 steps in " + scalar +
-                       ", in epsilon a step: worst of stretch, speed / w, zeta = 0, 0.5, 2",
-               .formula = "v' = (v (1 + b s - (1 - p) q) + h g - h w^2 x) / (1 + a s + p q)",
-               .unit = "m",
-               .reason = "64 roundings a step of lengths of 2 m"});
+  Worst worst = Worst("error of 10 steps in " + scalar +
+                          ", in epsilon a step: worst of stretch, speed / w, zeta = 0, 0.5, 2",
+                      "m")
+                    .by("v' = (v (1 + b s - (1 - p) q) + h g - h w^2 x) / (1 + a s + p q)")
+                    .since("64 roundings a step of lengths of 2 m");
   for (const double zeta : {0.0, 0.5, 2.0}) worst.add(0, spring_error<Real>(zeta), 64);
   return worst.number();
 }

@@ -104,20 +104,15 @@ void add_ladder_numbers(List<Measured>& numbers, double wall_mu) {
        .tolerance = 0.022,
        .reason = "its centre is L/4000 above the edge that it stands on: up to 0.020 degrees; bisected"},
       {farthest(least, stands), farthest(least, slips)}, "it stands", "it slips");
-  numbers.push_back({.what = fmt::format("way in 2 s, 0.3 degrees above the least angle, mu_w = {}", wall_mu),
-                     .formula = "0",
-                     .unit = "m",
-                     .got = ladder_way(in_radians(least + 0.3), wall_mu, 2),
-                     .tolerance = 2e-4,
-                     .reason = "two contacts may sink by the slop of 1e-4 m"});
+  numbers.push_back(measured(fmt::format("way in 2 s, 0.3 degrees above the least angle, mu_w = {}", wall_mu),
+                             ladder_way(in_radians(least + 0.3), wall_mu, 2), "m")
+                        .zero_within(2e-4, "two contacts may sink by the slop of 1e-4 m"));
   const double ideal = ideal_ladder_way(in_radians(least - 0.3), wall_mu, 1);
-  numbers.push_back({.what = fmt::format("way in 1 s, 0.3 degrees below the least angle, mu_w = {}", wall_mu),
-                     .formula = "Newton's law, integrated",
-                     .unit = "m",
-                     .expected = ideal,
-                     .got = ladder_way(in_radians(least - 0.3), wall_mu, 1),
-                     .tolerance = 0.09 * ideal,
-                     .reason = "its edge shifts the 0.3 degrees by up to 0.020, and t (t + dt) is for t^2"});
+  numbers.push_back(
+      measured(fmt::format("way in 1 s, 0.3 degrees below the least angle, mu_w = {}", wall_mu),
+               ladder_way(in_radians(least - 0.3), wall_mu, 1), "m")
+          .by("Newton's law, integrated", ideal)
+          .within(0.09 * ideal, "its edge shifts the 0.3 degrees by up to 0.020, and t (t + dt) is for t^2"));
 }
 
 // Floor: N up, mu_f N towards the wall; wall: W, mu_w W up. W = mu_f N, N + mu_w W = m g, and moments about
@@ -133,7 +128,6 @@ ValidationResult ladder(const EngineMaker&) {
 void add_ladder_cases(ValidationCases& cases) {
   cases.push_back({.id = "B12",
                    .title = "A ladder at a wall stands down to tan(angle) = (1 - mu_f mu_w) / (2 mu_f)",
-                   .source = "derived",
                    .run = ladder});
 }
 

@@ -72,14 +72,11 @@ ValidationResult slider_on_its_axis(const EngineMaker&) {
   const double slope_cosine = std::sqrt(1 - r * r / (l * l));
   for (int i = 0; i < result.convergence->dt.size(); ++i) {
     const double dt = result.convergence->dt[i];
-    result.numbers.push_back(
-        {.what = "slider's drift at " + std::to_string(std::lround(1 / dt)) + " Hz, most in two turns",
-         .formula = "x = r cos f + sqrt(l^2 - r^2 sin^2 f)",
-         .unit = "m",
-         .expected = 0,
-         .got = result.convergence->error[i],
-         .tolerance = steady_drift(acceleration, dt) / slope_cosine,
-         .reason = "(r + r^2/l) w^2 dt^2/(2 beta), over cos of the rod's slope"});
+    result.add(measured("slider's drift at " + std::to_string(std::lround(1 / dt)) + " Hz, most in two turns",
+                        result.convergence->error[i], "m")
+                   .by("x = r cos f + sqrt(l^2 - r^2 sin^2 f)", 0)
+                   .within(steady_drift(acceleration, dt) / slope_cosine,
+                           "(r + r^2/l) w^2 dt^2/(2 beta), over cos of the rod's slope"));
   }
   return result;
 }
@@ -173,23 +170,15 @@ ValidationResult straight_line(const EngineMaker& make) {
   for (const double frequency : {240.0, 480.0}) {
     const InversorError got = inversor_error(make, frequency);
     const std::string when = " at " + std::to_string(std::lround(frequency)) + " Hz";
-    result.numbers.push_back(
-        {.what = "off the line at most, in 120 degrees of the crank" + when,
-         .formula = "x = (L^2 - s^2)/(2 c)",
-         .unit = "m",
-         .expected = 0,
-         .got = got.across,
-         .tolerance = 1.5 * 4.5 * std::sqrt(3.0) / frequency * std::abs(got.expected),
-         .reason = "1.5 times 4.5 steps of the growth of the drift along it, sqrt 3 a second"});
+    result.add(measured("off the line at most, in 120 degrees of the crank" + when, got.across, "m")
+                   .by("x = (L^2 - s^2)/(2 c)", 0)
+                   .within(1.5 * 4.5 * std::sqrt(3.0) / frequency * std::abs(got.expected),
+                           "1.5 times 4.5 steps of the growth of the drift along it, sqrt 3 a second"));
     // At 60 degrees a grows by sqrt(3) of itself a second.
-    result.numbers.push_back(
-        {.what = "drift along the line at 60 degrees" + when,
-         .formula = "-a dt^2/(2 beta)",
-         .unit = "m",
-         .expected = got.expected,
-         .got = got.along,
-         .tolerance = 1.5 * 4.5 * std::sqrt(3.0) / frequency * std::abs(got.expected),
-         .reason = "1.5 times 4.5 steps that the drift is late, growing by sqrt 3 a second"});
+    result.add(measured("drift along the line at 60 degrees" + when, got.along, "m")
+                   .by("-a dt^2/(2 beta)", got.expected)
+                   .within(1.5 * 4.5 * std::sqrt(3.0) / frequency * std::abs(got.expected),
+                           "1.5 times 4.5 steps that the drift is late, growing by sqrt 3 a second"));
   }
   return result;
 }
@@ -199,7 +188,6 @@ ValidationResult straight_line(const EngineMaker& make) {
 void add_mechanism_cases(ValidationCases& cases) {
   cases.push_back({.id = "B21",
                    .title = "A slider-crank's slider is where the crank puts it, with a drift of order dt^2",
-                   .source = "derived",
                    .run = slider_on_its_axis});
   cases.push_back({.id = "B22",
                    .title = "Peaucellier's seven bars turn a circle into a straight line",

@@ -91,14 +91,10 @@ ValidationResult double_pendulum_modes(const EngineMaker& make) {
     const double omega = std::sqrt(zeros[mode] * standard_gravity / chain_link);
     for (const double frequency : {60.0, 240.0}) {
       const double discrete = semi_implicit_frequency(omega, 1 / frequency);
-      result.numbers.push_back(within_share(
-          frequency_tolerance(omega / frequency, 10),
-          {.what = std::string(names[mode]) + (frequency > 100 ? " mode at 240 Hz" : " mode at 60 Hz"),
-           .formula = "2/dt asin(w dt/2), w^2 = (2 -+ sqrt 2) g/l",
-           .unit = "rad/s",
-           .expected = discrete,
-           .got = frequency_at(zeros[mode], frequency),
-           .reason = frequency_reason}));
+      result.add(measured(std::string(names[mode]) + (frequency > 100 ? " mode at 240 Hz" : " mode at 60 Hz"),
+                          frequency_at(zeros[mode], frequency), "rad/s")
+                     .by("2/dt asin(w dt/2), w^2 = (2 -+ sqrt 2) g/l", discrete)
+                     .within_share(frequency_tolerance(omega / frequency, 10), frequency_reason));
     }
   }
   const double fast = std::sqrt(zeros[1] * standard_gravity / chain_link);
@@ -115,22 +111,16 @@ ValidationResult hanging_chain(const EngineMaker& make) {
   for (const int n : {5, 10, 20}) {
     const double omega = std::sqrt(slowest_zero(n) * standard_gravity / chain_link);
     const double got = measured_frequency(make, chain_in_mode(n, slowest_zero(n), 60), iterations, passages);
-    result.numbers.push_back(within_share(frequency_tolerance(omega * standard_dt, passages - 1),
-                                          {.what = "slowest mode of " + std::to_string(n) + " beads",
-                                           .formula = "2/dt asin(w dt/2), w^2 = x g/l, L_n(x) = 0",
-                                           .unit = "rad/s",
-                                           .expected = semi_implicit_frequency(omega, standard_dt),
-                                           .got = got,
-                                           .reason = frequency_reason}));
+    result.add(
+        measured("slowest mode of " + std::to_string(n) + " beads", got, "rad/s")
+            .by("2/dt asin(w dt/2), w^2 = x g/l, L_n(x) = 0", semi_implicit_frequency(omega, standard_dt))
+            .within_share(frequency_tolerance(omega * standard_dt, passages - 1), frequency_reason));
     if (n != 20) continue;
     // n beads have 1 / 4n less than a rope, but for terms of 1 / n^2.
     const double rope = 2.404825557695773 / 2 * std::sqrt(standard_gravity / (n * chain_link));
-    result.numbers.push_back(within_share(1.0 / (n * n), {.what = "slowest mode of 20 beads, beside a rope's",
-                                                          .formula = "1.2024 sqrt(g/L) (1 - 1/4n)",
-                                                          .unit = "rad/s",
-                                                          .expected = rope * (1 - 0.25 / n),
-                                                          .got = got,
-                                                          .reason = "1/n^2: the next term of the chain"}));
+    result.add(measured("slowest mode of 20 beads, beside a rope's", got, "rad/s")
+                   .by("1.2024 sqrt(g/L) (1 - 1/4n)", rope * (1 - 0.25 / n))
+                   .within_share(1.0 / (n * n), "1/n^2: the next term of the chain"));
   }
   return result;
 }
@@ -142,7 +132,6 @@ void add_modes_cases(ValidationCases& cases) {
       {.id = "B17",
        .title =
            "A double pendulum of two equal masses swings with w^2 = (2 - sqrt 2) g / l or (2 + sqrt 2) g / l",
-       .source = "derived",
        .asks = Asks::any_engine,
        .run = double_pendulum_modes});
   cases.push_back({.id = "B26",

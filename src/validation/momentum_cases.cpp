@@ -102,12 +102,10 @@ void add_drum_numbers(List<Measured>& numbers, const std::string& scalar, int st
   const DrumRun run = run_drum<Real>(steps);
   const double epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
   const auto add = [&](const std::string& what, double change) {
-    numbers.push_back({.what = what + fmt::format(", lost in {} steps, in {}", steps, scalar),
-                       .formula = "0",
-                       .unit = "",
-                       .got = change,
-                       .tolerance = 5 * 0.29 * std::sqrt(2 * run.updates) * epsilon,
-                       .reason = "5 deviations of a sum of 0.29 epsilon for 2 bodies in every row update"});
+    numbers.push_back(
+        measured(what + fmt::format(", lost in {} steps, in {}", steps, scalar), change)
+            .zero_within(5 * 0.29 * std::sqrt(2 * run.updates) * epsilon,
+                         "5 deviations of a sum of 0.29 epsilon for 2 bodies in every row update"));
   };
   add("momentum along x over sum m |v|", run.change.x());
   add("momentum along y over sum m |v|", run.change.y());
@@ -154,18 +152,16 @@ Measured equal_cradle(const EngineMaker& make, int n) {
     }
   }
   errors.push_back(static_cast<double>(n - 1 - moving));  // it must come to the last one
-  return {.what = fmt::format("worst speed error of {} equal discs, in any of 100 steps", n),
-          .formula = "(0, .., v, .., 0)",
-          .unit = "m/s",
-          .got = farthest(0, errors),
-          .tolerance = 1e-12,
-          .reason = "rounding of 2 m/s in 5 sweeps a step"};
+  return measured(fmt::format("worst speed error of {} equal discs, in any of 100 steps", n),
+                  farthest(0, errors), "m/s")
+      .by("(0, .., v, .., 0)", 0)
+      .within(1e-12, "rounding of 2 m/s in 5 sweeps a step");
 }
 
 // m on r m at rest, elastic: m keeps (1 - r)/(1 + r) of its speed, and r m takes 2/(1 + r) of it.
 ValidationResult cradles(const EngineMaker& make) {
   ValidationResult result;
-  for (const int n : {2, 3, 5, 8}) result.numbers.push_back(equal_cradle(make, n));
+  for (const int n : {2, 3, 5, 8}) result.add(equal_cradle(make, n));
   const int n = 6;
   for (const double r : {0.5, 0.8}) {  // each disc has r times the mass of the one before
     List<double> masses;
@@ -174,14 +170,10 @@ ValidationResult cradles(const EngineMaker& make) {
     double speed = cradle_speed;
     for (int i = 1; i <= n; ++i) {
       const double expected = i < n ? speed * (1 - r) / (1 + r) : speed;
-      result.numbers.push_back(
-          {.what = fmt::format("speed of disc {} of {}, each {} of the mass before it", i, n, r),
-           .formula = i < n ? "v (2/(1 + r))^(i-1) (1 - r)/(1 + r)" : "v (2/(1 + r))^(n-1)",
-           .unit = "m/s",
-           .expected = expected,
-           .got = end.bodies[{i}].velocity.x(),
-           .tolerance = 1e-12 * expected,
-           .reason = "no error but rounding, in 5 sweeps a step"});
+      result.add(measured(fmt::format("speed of disc {} of {}, each {} of the mass before it", i, n, r),
+                          end.bodies[{i}].velocity.x(), "m/s")
+                     .by(i < n ? "v (2/(1 + r))^(i-1) (1 - r)/(1 + r)" : "v (2/(1 + r))^(n-1)", expected)
+                     .within(1e-12 * expected, "no error but rounding, in 5 sweeps a step"));
       speed *= 2 / (1 + r);
     }
   }
@@ -193,11 +185,9 @@ ValidationResult cradles(const EngineMaker& make) {
 void add_momentum_cases(ValidationCases& cases) {
   cases.push_back({.id = "B2",
                    .title = "Twenty discs that collide in a floating drum keep their momenta",
-                   .source = "derived",
                    .run = floating_drum});
   cases.push_back({.id = "B42",
                    .title = "Along a row of elastic discs with gaps one after the other takes the speed",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = cradles});
 }

@@ -44,15 +44,13 @@ ValidationResult overhang(const EngineMaker& make) {
     if (n % 2 == 0) continue;
     const auto falls = [&make, n](double share) { return overhang_falls(make, n, share, 2); };
     const double share = bisected({0.98, 1.02}, 0.005, falls).middle();
-    result.numbers.push_back(within_share(
-        0.003,
-        {.what = n == 1 ? std::string("reach of a block of 1 m")
+    result.add(
+        measured(n == 1 ? std::string("reach of a block of 1 m")
                         : "reach of " + std::to_string(n) + " blocks of 1 m",
-         .formula = "1/2 + 1/4 + ... + 1/2n",
-         .unit = "m",
-         .expected = most,
-         .got = share * most,
-         .reason = "half a bracket of 0.5 %, and 0.05 % that blocks lean where edges sink by the slop"}));
+                 share * most, "m")
+            .by("1/2 + 1/4 + ... + 1/2n", most)
+            .within_share(
+                0.003, "half a bracket of 0.5 %, and 0.05 % that blocks lean where edges sink by the slop"));
   }
   return result;
 }

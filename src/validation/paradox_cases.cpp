@@ -43,12 +43,12 @@ double dragged_rod_error(double friction) {
 
 template <Scalar Real>
 Measured dragged_rod_number(const std::string& scalar) {
-  Worst worst({.what = "error in " + scalar +
-                       ", over epsilon (1 + k): worst of k = 0..100, mu = 0.3, 1, 1.25 "
-                       "and of 5 solvers",
-               .formula = "0",
-               .unit = "N s",
-               .reason = "64 roundings a sweep of velocities of 1 m/s"});
+  Worst worst = Worst("error in " + scalar +
+                          ", over epsilon (1 + k): worst of k = 0..100, mu = 0.3, 1, 1.25 "
+                          "and of 5 solvers",
+                      "N s")
+                    .by("0")
+                    .since("64 roundings a sweep of velocities of 1 m/s");
   for (const double mu : {0.3, 1.0, 1.25}) worst.add(0, dragged_rod_error<Real>(mu), 64);
   return worst.number();
 }
@@ -61,15 +61,11 @@ ValidationResult dragged_rod(const EngineMaker&) {
   VelocityProblem<double> problem = painleve_rod<double>(-1, 1);
   SequentialImpulse<double>({.iterations = k}).solve(problem);
   ValidationResult result;
-  result.numbers = {{.what = "normal impulse after 3 sweeps, mu = 1",
-                     .formula = "g dt / (A_nn + mu A_nt) (1 - (-q)^k), q = mu A_nt / A_nn",
-                     .unit = "N s",
-                     .expected = answer * (1 + q * q * q),
-                     .got = problem.impulse[0],
-                     .tolerance = 64 * double_epsilon * (1 + k),
-                     .reason = "64 roundings a sweep of velocities of 1 m/s"},
-                    dragged_rod_number<float>("float"),
-                    dragged_rod_number<double>("double")};
+  result.numbers = {
+      measured("normal impulse after 3 sweeps, mu = 1", problem.impulse[0], "N s")
+          .by("g dt / (A_nn + mu A_nt) (1 - (-q)^k), q = mu A_nt / A_nn", answer * (1 + q * q * q))
+          .within(64 * double_epsilon * (1 + k), "64 roundings a sweep of velocities of 1 m/s"),
+      dragged_rod_number<float>("float"), dragged_rod_number<double>("double")};
   return result;
 }
 
@@ -100,17 +96,14 @@ struct Circles {
 ValidationResult circling_rod(const EngineMaker&) {
   const std::string any = ": worst of mu = 1.4, 2, 10 and of 5 solvers", mild = "64 epsilon of 1 m/s";
   const std::string impulse = "normal impulse, and friction impulse over mu, after ";
-  Worst exists({.what = "violation by (p, mu p), p = g dt / (A_nn + mu A_nt): worst of mu = 1.4, 2, 10",
-                .formula = "0",
-                .unit = "m/s",
-                .reason = mild});
-  Circles circles{
-      Worst({.what = impulse + "odd sweeps" + any, .formula = "g dt / A_nn", .unit = "N s", .reason = mild}),
-      Worst({.what = impulse + "even sweeps" + any, .formula = "0", .unit = "N s", .reason = mild}),
-      Worst({.what = "largest change in the last sweep" + any,
-             .formula = "g dt / A_nn max(mu, 1)",
-             .unit = "N s",
-             .reason = "1e-12 of it"})};
+  Worst exists = Worst("violation by (p, mu p), p = g dt / (A_nn + mu A_nt): worst of mu = 1.4, 2, 10", "m/s")
+                     .by("0")
+                     .since(mild);
+  Circles circles{Worst(impulse + "odd sweeps" + any, "N s").by("g dt / A_nn").since(mild),
+                  Worst(impulse + "even sweeps" + any, "N s").by("0").since(mild),
+                  Worst("largest change in the last sweep" + any, "N s")
+                      .by("g dt / A_nn max(mu, 1)")
+                      .since("1e-12 of it")};
   for (const double mu : {1.4, 2.0, 10.0}) {
     const double answer = painleve_fall / (painleve_nn + mu * painleve_nt);
     exists.add(0, violation_by(painleve_rod<double>(-1, mu), {answer, mu * answer}), 64 * double_epsilon);
@@ -130,14 +123,10 @@ ValidationResult circling_rod_as_a_block(const EngineMaker&) {
   for (const double mu : {1.4, 2.0, 10.0}) {
     VelocityProblem<double> problem = painleve_block(mu);
     BlockSequentialImpulse<double>({.iterations = 1}).solve(problem);
-    result.numbers.push_back(
-        {.what = "normal impulse after one sweep of blocks, mu = " + std::to_string(mu).substr(0, 3),
-         .formula = "g dt / (A_nn + mu A_nt)",
-         .unit = "N s",
-         .expected = painleve_fall / (painleve_nn + mu * painleve_nt),
-         .got = problem.impulse[0],
-         .tolerance = 64 * double_epsilon,
-         .reason = "64 epsilon of 1 m/s"});
+    result.add(measured("normal impulse after one sweep of blocks, mu = " + std::to_string(mu).substr(0, 3),
+                        problem.impulse[0], "N s")
+                   .by("g dt / (A_nn + mu A_nt)", painleve_fall / (painleve_nn + mu * painleve_nt))
+                   .within(64 * double_epsilon, "64 epsilon of 1 m/s"));
   }
   return result;
 }
@@ -154,13 +143,12 @@ bool relaxation_helps(const SolverMaker<double>& make, double relaxation) {
 // omega < 2 / (1 + q). At 1e-4 of omega from there 2000 sweeps leave 0.9998^2000 = 0.67 of it.
 ValidationResult relaxed_rod(const EngineMaker&) {
   const double answer = painleve_fall / (painleve_nn + 2 * painleve_nt);
-  Worst largest({.what = "largest omega that converges, mu = 2: worst of 5 solvers",
-                 .formula = "2 / (1 + mu A_nt / A_nn)",
-                 .reason = "so far from it 2000 sweeps decide; the bracket is smaller"});
-  Worst found({.what = "normal impulse, omega = 0.3, 0.5, 0.7: worst of 5 solvers",
-               .formula = "g dt / (A_nn + mu A_nt)",
-               .unit = "N s",
-               .reason = "0.75^200 = 1e-25 leaves rounding only: 64 epsilon of 1 m/s"});
+  Worst largest = Worst("largest omega that converges, mu = 2: worst of 5 solvers")
+                      .by("2 / (1 + mu A_nt / A_nn)")
+                      .since("so far from it 2000 sweeps decide; the bracket is smaller");
+  Worst found = Worst("normal impulse, omega = 0.3, 0.5, 0.7: worst of 5 solvers", "N s")
+                    .by("g dt / (A_nn + mu A_nt)")
+                    .since("0.75^200 = 1e-25 leaves rounding only: 64 epsilon of 1 m/s");
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     const auto fails = [&make](double omega) { return !relaxation_helps(make, omega); };
     largest.add(2 / (1 + 2 * painleve_nt / painleve_nn), bisected({0.3, 1}, 2e-5, fails).middle(), 1e-4);
@@ -177,14 +165,9 @@ ValidationResult relaxed_rod(const EngineMaker&) {
 ValidationResult pushed_rod(const EngineMaker&) {
   const std::string any = ": worst of mu = 0.3, 0.9, 1.2 and of 5 solvers";
   const std::string reason = "(mu A_nt / A_nn)^400 = 5e-19 is left; 64 epsilon of 1 m/s live 10 sweeps";
-  Worst normal({.what = "normal impulse" + any,
-                .formula = "g dt / (A_nn - mu A_nt)",
-                .unit = "N s",
-                .reason = reason});
-  Worst friction({.what = "friction impulse over mu" + any,
-                  .formula = "-g dt / (A_nn - mu A_nt)",
-                  .unit = "N s",
-                  .reason = reason});
+  Worst normal = Worst("normal impulse" + any, "N s").by("g dt / (A_nn - mu A_nt)").since(reason);
+  Worst friction =
+      Worst("friction impulse over mu" + any, "N s").by("-g dt / (A_nn - mu A_nt)").since(reason);
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     for (const double mu : {0.3, 0.9, 1.2}) {
       VelocityProblem<double> problem = painleve_rod<double>(1, mu);
@@ -202,14 +185,11 @@ ValidationResult jamming_rod(const EngineMaker&) {
   const double speed = 1, determinant = painleve_nn * painleve_tt - painleve_nt * painleve_nt;
   const std::string any = ": worst of mu = 1.34, 1.4, 2, 1e6 and of 5 solvers",
                     reason = "64 epsilon of 1 m/s";
-  Worst normal({.what = "normal impulse" + any,
-                .formula = "(A_tt g dt + A_nt v_t) / (A_nn A_tt - A_nt^2)",
-                .unit = "N s",
-                .reason = reason});
-  Worst friction({.what = "friction impulse" + any,
-                  .formula = "-(A_nn v_t + A_nt g dt) / (A_nn A_tt - A_nt^2)",
-                  .unit = "N s",
-                  .reason = reason});
+  Worst normal =
+      Worst("normal impulse" + any, "N s").by("(A_tt g dt + A_nt v_t) / (A_nn A_tt - A_nt^2)").since(reason);
+  Worst friction = Worst("friction impulse" + any, "N s")
+                       .by("-(A_nn v_t + A_nt g dt) / (A_nn A_tt - A_nt^2)")
+                       .since(reason);
   int moving = 0;
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     for (const double mu : {1.34, 1.4, 2.0, 1e6}) {

@@ -61,49 +61,34 @@ void add_pop_apexes(const EngineMaker& make, double d, double frequency, Validat
   const double discrete = dt * ((n + 1) * v - g * dt * n * (n + 1) / 2) - d;
   const double got = pop_apex(make, {.overlap = d, .frequency = frequency});
   const std::string when = " at " + std::to_string(std::lround(frequency)) + " Hz";
-  result.numbers.push_back({.what = "apex above the place of rest" + when,
-                            .formula = pop_formula,
-                            .unit = "m",
-                            .expected = discrete,
-                            .got = got,
-                            .tolerance = 1e-9,
-                            .reason = "1e-9: rounding of a hundred steps and less"});
-  result.numbers.push_back({.what = "the same, beside continuous flight" + when,
-                            .formula = "(beta d/dt)^2/2g - d",
-                            .unit = "m",
-                            .expected = v * v / (2 * g) - d,
-                            .got = got,
-                            .tolerance = v * dt / 2 + g * dt * dt / 8 + 1e-9,
-                            .reason = "v dt/2 + g dt^2/8: the first step goes v dt, not v dt - g dt^2/2"});
+  result.add(measured("apex above the place of rest" + when, got, "m")
+                 .by(pop_formula, discrete)
+                 .within(1e-9, "1e-9: rounding of a hundred steps and less"));
+  result.add(measured("the same, beside continuous flight" + when, got, "m")
+                 .by("(beta d/dt)^2/2g - d", v * v / (2 * g) - d)
+                 .within(v * dt / 2 + g * dt * dt / 8 + 1e-9,
+                         "v dt/2 + g dt^2/8: the first step goes v dt, not v dt - g dt^2/2"));
 }
 
 Measured still(const EngineMaker& make, const std::string& how, const Stabilization& stabilization) {
-  return {.what = "apex above the place of rest with " + how,
-          .formula = "0",
-          .unit = "m",
-          .expected = 0,
-          .got = std::max(0.0, pop_apex(make, {.stabilization = stabilization})),
-          .tolerance = 1e-9,
-          .reason = "1e-9: it must not jump at all; rounding"};
+  return measured("apex above the place of rest with " + how,
+                  std::max(0.0, pop_apex(make, {.stabilization = stabilization})), "m")
+      .zero_within(1e-9, "1e-9: it must not jump at all; rounding");
 }
 
 ValidationResult pop(const EngineMaker& make) {
   ValidationResult result;
   for (const Shape<double>& shape : {Shape<double>(circle(0.5)), Shape<double>(box(1, 1))}) {
     const bool is_disc = std::holds_alternative<Circle<double>>(shape);
-    result.numbers.push_back(
-        within_share(1e-9, {.what = std::string("speed at which a ") + (is_disc ? "disc" : "box") + " leaves",
-                            .formula = "beta d/dt",
-                            .unit = "m/s",
-                            .expected = 0.2 * 0.1 * 240,
-                            .got = pop_speed(make, {.shape = shape}),
-                            .reason = "1e-9: 60 sweeps leave rounding"}));
+    result.add(measured(std::string("speed at which a ") + (is_disc ? "disc" : "box") + " leaves",
+                        pop_speed(make, {.shape = shape}), "m/s")
+                   .by("beta d/dt", 0.2 * 0.1 * 240)
+                   .within_share(1e-9, "1e-9: 60 sweeps leave rounding"));
   }
   for (const double frequency : {120.0, 240.0, 480.0}) add_pop_apexes(make, 0.1, frequency, result);
-  result.numbers.push_back(still(make, "no stabilization", {.policy = StabilizationPolicy::none}));
-  result.numbers.push_back(still(make, "split impulses", {.policy = StabilizationPolicy::split_impulse}));
-  result.numbers.push_back(
-      still(make, "soft rows and a relaxing solve", {.policy = StabilizationPolicy::soft}));
+  result.add(still(make, "no stabilization", {.policy = StabilizationPolicy::none}));
+  result.add(still(make, "split impulses", {.policy = StabilizationPolicy::split_impulse}));
+  result.add(still(make, "soft rows and a relaxing solve", {.policy = StabilizationPolicy::soft}));
   return result;
 }
 
@@ -112,7 +97,6 @@ ValidationResult pop(const EngineMaker& make) {
 void add_pop_cases(ValidationCases& cases) {
   cases.push_back({.id = "B24",
                    .title = "A body that overlaps the ground by d leaves it with beta d / dt, and so jumps",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = pop});
 }

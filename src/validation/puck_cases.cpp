@@ -47,20 +47,13 @@ void see_round_puck(const EngineMaker& make, FrictionShape shape, Worst& distanc
     const double direction = in_radians(degrees);
     const Vec2<double> along(std::cos(direction), std::sin(direction));
     const Vec2<double> place = place_of_rest(make, shape, direction, 60);
-    distance.add(within_share(
-        1e-12, {.what = "way in the " + which + ", worst of 5 directions and 5 solvers",
-                .formula = "v0^2/(2 mu g) - v0 dt/2",
-                .unit = "m",
-                .expected = puck_speed * puck_speed / (2 * puck_grip) - puck_speed * standard_dt / 2,
-                .got = place.norm(),
-                .reason = "1e-12: rounding of 60 steps"}));
-    across.add({.what = "sideways in the " + which + ", worst of 5 directions and 5 solvers",
-                .formula = "0",
-                .unit = "m",
-                .expected = 0,
-                .got = cross(along, place),
-                .tolerance = 1e-12,
-                .reason = "1e-12: nothing but rounding turns it"});
+    distance.add(measured("way in the " + which + ", worst of 5 directions and 5 solvers", place.norm(), "m")
+                     .by("v0^2/(2 mu g) - v0 dt/2",
+                         puck_speed * puck_speed / (2 * puck_grip) - puck_speed * standard_dt / 2)
+                     .within_share(1e-12, "1e-12: rounding of 60 steps"));
+    across.add(measured("sideways in the " + which + ", worst of 5 directions and 5 solvers",
+                        cross(along, place), "m")
+                   .zero_within(1e-12, "1e-12: nothing but rounding turns it"));
   }
 }
 
@@ -71,18 +64,12 @@ void see_square_puck(const EngineMaker& make, double degrees, Worst& distance, W
   const Vec2<double> expected(braking_way(puck_speed * c, standard_dt),
                               braking_way(puck_speed * s, standard_dt));
   const std::string from = " in the fixed square from " + std::to_string(std::lround(degrees)) + " degrees";
-  distance.add(within_share(1e-12, {.what = "way" + from + ", worst of 5 solvers",
-                                    .formula = "hypot of dt sum (v0 cos, v0 sin - k mu g dt)",
-                                    .unit = "m",
-                                    .expected = expected.norm(),
-                                    .got = place.norm(),
-                                    .reason = "1e-12: rounding of 60 steps"}));
-  heading.add(within_share(1e-12, {.what = "heading" + from + ", worst of 5 solvers",
-                                   .formula = "atan2 of the same sums",
-                                   .unit = "rad",
-                                   .expected = std::atan2(expected.y(), expected.x()),
-                                   .got = std::atan2(place.y(), place.x()),
-                                   .reason = "1e-12: rounding of 60 steps"}));
+  distance.add(measured("way" + from + ", worst of 5 solvers", place.norm(), "m")
+                   .by("hypot of dt sum (v0 cos, v0 sin - k mu g dt)", expected.norm())
+                   .within_share(1e-12, "1e-12: rounding of 60 steps"));
+  heading.add(measured("heading" + from + ", worst of 5 solvers", std::atan2(place.y(), place.x()), "rad")
+                  .by("atan2 of the same sums", std::atan2(expected.y(), expected.x()))
+                  .within_share(1e-12, "1e-12: rounding of 60 steps"));
 }
 
 /// The ratio of ways in the fixed square and in the circle, at small steps.
@@ -93,13 +80,12 @@ Measured square_ratio(double degrees) {
   const double square = place_of_rest(make, FrictionShape::square, direction, frequency).norm();
   const double round = place_of_rest(make, FrictionShape::circle, direction, frequency).norm();
   // Every way is v0 dt / 2 short; the shortest is that of an axis, s v0 / mu g / 2 of it.
-  return within_share(2 * puck_grip * dt / puck_speed / s,
-                      {.what = "way in the square over way in the circle, from " +
-                               std::to_string(std::lround(degrees)) + " degrees at 1920 Hz",
-                       .formula = "sqrt(cos^4 + sin^4)",
-                       .expected = std::sqrt(std::pow(c, 4) + std::pow(s, 4)),
-                       .got = square / round,
-                       .reason = "2 mu g dt/(v0 sin): each way is short by half a step of its speed"});
+  return measured("way in the square over way in the circle, from " + std::to_string(std::lround(degrees)) +
+                      " degrees at 1920 Hz",
+                  square / round)
+      .by("sqrt(cos^4 + sin^4)", std::sqrt(std::pow(c, 4) + std::pow(s, 4)))
+      .within_share(2 * puck_grip * dt / puck_speed / s,
+                    "2 mu g dt/(v0 sin): each way is short by half a step of its speed");
 }
 
 ValidationResult pucks(const EngineMaker&) {
@@ -113,9 +99,9 @@ ValidationResult pucks(const EngineMaker&) {
   ValidationResult result;
   for (const Worst& worst :
        {round, across, aligned, aligned_across, way_30, heading_30, way_45, heading_45}) {
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
-  for (const double degrees : {30.0, 45.0}) result.numbers.push_back(square_ratio(degrees));
+  for (const double degrees : {30.0, 45.0}) result.add(square_ratio(degrees));
   const double distance = puck_speed * puck_speed / (2 * puck_grip);
   result.convergence = converges("way of a puck in the circle", [distance](double frequency) {
     return place_of_rest(cairn_engine(), FrictionShape::circle, pi / 6, frequency).norm() - distance;
@@ -130,7 +116,6 @@ void add_puck_cases(ValidationCases& cases) {
       {.id = "B38",
        .title =
            "A puck in the friction circle goes straight, and v0^2 / (2 mu g) far; a square bends its way",
-       .source = "derived",
        .run = pucks});
 }
 

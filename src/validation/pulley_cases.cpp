@@ -42,12 +42,10 @@ void see_atwood(const EngineMaker& make, Worst& worst) {
     Motion machine(make, two_on_a_rope(heavy, light, 1, kind), 2);
     machine.run(0.5);
     for (const BodyId body : {BodyId{1}, BodyId{2}}) {
-      worst.add(within_share(1e-9, {.what = "Atwood machine of 2 and 1 kg, worst of 5 solvers",
-                                    .formula = "(m1 - m2) g/(m1 + m2)",
-                                    .unit = "m/s^2",
-                                    .expected = (heavy - light) * standard_gravity / (heavy + light),
-                                    .got = std::abs(machine.velocity(body).y()) / machine.time(),
-                                    .reason = pulley_reason}));
+      worst.add(measured("Atwood machine of 2 and 1 kg, worst of 5 solvers",
+                         std::abs(machine.velocity(body).y()) / machine.time(), "m/s^2")
+                    .by("(m1 - m2) g/(m1 + m2)", (heavy - light) * standard_gravity / (heavy + light))
+                    .within_share(1e-9, pulley_reason));
     }
   }
 }
@@ -58,25 +56,18 @@ void see_tackle(const EngineMaker& make, Worst& balance, Worst& tension) {
   for (const double ratio : {2.0, 3.0, 5.0}) {
     Motion still(make, two_on_a_rope(light, ratio * light, ratio, PulleyJoint::Kind::rope), 2);
     still.run(0.5);
-    balance.add({.what = "speed where m2 = r m1 after 0.5 s, worst of r = 2, 3, 5 and 5 solvers",
-                 .formula = "0",
-                 .unit = "m/s",
-                 .expected = 0,
-                 .got = still.velocity({2}).norm(),
-                 .tolerance = 1e-13,
-                 .reason = "rounding of g dt = 0.17 m/s in each of 30 steps"});
+    balance.add(measured("speed where m2 = r m1 after 0.5 s, worst of r = 2, 3, 5 and 5 solvers",
+                         still.velocity({2}).norm(), "m/s")
+                    .zero_within(1e-13, "rounding of g dt = 0.17 m/s in each of 30 steps"));
     Motion falling(make, two_on_a_rope(light, ratio * heavy, ratio, PulleyJoint::Kind::rope), 2);
     falling.run(0.25);
     const double on_light = light * (falling.velocity({1}).y() / falling.time() + standard_gravity);
     const double on_heavy = heavy * (falling.velocity({2}).y() / falling.time() + standard_gravity);
     for (const double force : {on_light, on_heavy}) {
-      tension.add(within_share(
-          1e-9, {.what = "tension where m2 > r m1, by both bodies, worst of r = 2, 3, 5 and 5 solvers",
-                 .formula = "(1 + r) g/(1/m1 + r^2/m2)",
-                 .unit = "N",
-                 .expected = (1 + ratio) * standard_gravity / (1 / light + ratio / heavy),
-                 .got = force,
-                 .reason = pulley_reason}));
+      tension.add(
+          measured("tension where m2 > r m1, by both bodies, worst of r = 2, 3, 5 and 5 solvers", force, "N")
+              .by("(1 + r) g/(1/m1 + r^2/m2)", (1 + ratio) * standard_gravity / (1 / light + ratio / heavy))
+              .within_share(1e-9, pulley_reason));
     }
   }
 }
@@ -110,22 +101,18 @@ void see_massive_wheel(const EngineMaker& make, Worst& acceleration, Worst& axle
   const double a = (heavy - light) * standard_gravity / (heavy + light + wheel / 2);
   const double rim = machine.velocity({1}).z() * wheel_radius;
   for (const double speed : {-machine.velocity({2}).y(), machine.velocity({3}).y(), rim}) {
-    acceleration.add(within_share(
-        1e-9, {.what = "Atwood machine of 3 and 1 kg with a wheel of 2 kg: worst of loads, rim and 5 solvers",
-               .formula = "(m1 - m2) g/(m1 + m2 + M/2)",
-               .unit = "m/s^2",
-               .expected = a,
-               .got = speed / machine.time(),
-               .reason = pulley_reason}));
+    acceleration.add(
+        measured("Atwood machine of 3 and 1 kg with a wheel of 2 kg: worst of loads, rim and 5 solvers",
+                 speed / machine.time(), "m/s^2")
+            .by("(m1 - m2) g/(m1 + m2 + M/2)", a)
+            .within_share(1e-9, pulley_reason));
   }
   const double load =
       heavy * (standard_gravity - a) + light * (standard_gravity + a) + wheel * standard_gravity;
-  axle.add(within_share(1e-9, {.what = "force of its axle, worst of 5 solvers",
-                               .formula = "m1 (g - a) + m2 (g + a) + M g",
-                               .unit = "N",
-                               .expected = load,
-                               .got = machine.now().joints[0].impulse.y() / machine.dt(),
-                               .reason = pulley_reason}));
+  axle.add(measured("force of its axle, worst of 5 solvers",
+                    machine.now().joints[0].impulse.y() / machine.dt(), "N")
+               .by("m1 (g - a) + m2 (g + a) + M g", load)
+               .within_share(1e-9, pulley_reason));
 }
 
 ValidationResult pulleys(const EngineMaker&) {
@@ -163,24 +150,18 @@ ValidationResult spools(const EngineMaker&) {
       spool.run(0.5);
       const std::string reason = "1e-12: one row is solved by one sweep; rounding of 30 steps";
       const std::string name = names[kind];
-      fall.add(within_share(1e-12, {.what = name + ": falls with, worst of 5 solvers",
-                                    .formula = "g/(1 + I/m R^2)",
-                                    .unit = "m/s^2",
-                                    .expected = a,
-                                    .got = -spool.velocity({1}).y() / spool.time(),
-                                    .reason = reason}));
-      turn.add(within_share(1e-12, {.what = name + ": turns with, worst of 5 solvers",
-                                    .formula = "a/R",
-                                    .unit = "rad/s^2",
-                                    .expected = a / radius,
-                                    .got = -spool.velocity({1}).z() / spool.time(),
-                                    .reason = reason}));
-      string.add(within_share(1e-12, {.what = name + ": its string pulls with, worst of 5 solvers",
-                                      .formula = "m (g - a)",
-                                      .unit = "N",
-                                      .expected = mass * (standard_gravity - a),
-                                      .got = spool.now().joints[0].impulse.norm() / spool.dt(),
-                                      .reason = reason}));
+      fall.add(measured(name + ": falls with, worst of 5 solvers", -spool.velocity({1}).y() / spool.time(),
+                        "m/s^2")
+                   .by("g/(1 + I/m R^2)", a)
+                   .within_share(1e-12, reason));
+      turn.add(measured(name + ": turns with, worst of 5 solvers", -spool.velocity({1}).z() / spool.time(),
+                        "rad/s^2")
+                   .by("a/R", a / radius)
+                   .within_share(1e-12, reason));
+      string.add(measured(name + ": its string pulls with, worst of 5 solvers",
+                          spool.now().joints[0].impulse.norm() / spool.dt(), "N")
+                     .by("m (g - a)", mass * (standard_gravity - a))
+                     .within_share(1e-12, reason));
     }
     result.numbers.insert(result.numbers.end(), {fall.number(), turn.number(), string.number()});
   }
@@ -224,21 +205,14 @@ ValidationResult differential(const EngineMaker&) {
       const double w1 = gears.velocity({1}).z(), w2 = gears.velocity({2}).z(), w3 = gears.velocity({3}).z();
       largest = std::max(largest, std::abs(w1 + w2 - 2 * w3));
     }
-    kept.add({.what = "w1 + w2 - 2 w3, worst of 60 steps and 5 solvers",
-              .formula = "0",
-              .unit = "rad/s",
-              .expected = 0,
-              .got = largest,
-              .tolerance = 1e-12,
-              .reason = "its row is solved last: rounding of speeds below 10 rad/s"});
+    kept.add(measured("w1 + w2 - 2 w3, worst of 60 steps and 5 solvers", largest, "rad/s")
+                 .zero_within(1e-12, "its row is solved last: rounding of speeds below 10 rad/s"));
     for (int i = 0; i < 3; ++i) {
       turning[i].add(
-          within_share(1e-9, {.what = std::string(names[i]) + ", worst of 5 solvers",
-                              .formula = formulas[i],
-                              .unit = "rad/s^2",
-                              .expected = expected[i],
-                              .got = gears.velocity({i + 1}).z() / gears.time(),
-                              .reason = "1e-9: motor and gears agree after 20 sweeps, but for rounding"}));
+          measured(std::string(names[i]) + ", worst of 5 solvers", gears.velocity({i + 1}).z() / gears.time(),
+                   "rad/s^2")
+              .by(formulas[i], expected[i])
+              .within_share(1e-9, "1e-9: motor and gears agree after 20 sweeps, but for rounding"));
     }
   }
   return {.numbers = {kept.number(), turning[0].number(), turning[1].number(), turning[2].number()}};
@@ -253,11 +227,9 @@ void add_pulley_cases(ValidationCases& cases) {
                    .run = pulleys});
   cases.push_back({.id = "B19",
                    .title = "A disc on a string that it unwinds falls with 2 g / 3, on a third of its weight",
-                   .source = "derived",
                    .run = spools});
   cases.push_back({.id = "B20",
                    .title = "A differential keeps w1 + w2 = 2 w3, and gives both shafts the same torque",
-                   .source = "derived",
                    .run = differential});
 }
 

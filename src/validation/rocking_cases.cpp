@@ -73,24 +73,19 @@ Rocking rocking(const EngineMaker& make, double start, double frequency) {
 }
 
 Measured quarter_number(double share, double exact, double got) {
-  return within_share(0.02, {.what = "quarter period from " + std::to_string(std::lround(100 * share)) +
-                                     " % of alpha at 240 Hz",
-                             .formula = "acosh(1/(1 - share))/p",
-                             .unit = "s",
-                             .expected = exact,
-                             .got = got,
-                             .reason = "2 %: sin(alpha - q) for alpha - q, 0.3 %, and 1.5 steps of 240 Hz"});
+  return measured("quarter period from " + std::to_string(std::lround(100 * share)) + " % of alpha at 240 Hz",
+                  got, "s")
+      .by("acosh(1/(1 - share))/p", exact)
+      .within_share(0.02, "2 %: sin(alpha - q) for alpha - q, 0.3 %, and 1.5 steps of 240 Hz");
 }
 
 /// Angular momentum about the new corner is kept, but for gravity.
 Measured landing_number(const Rocking& found, double frequency) {
-  return {.what = "speed after the other corner lands, worst of three starts at 60 and 240 Hz",
-          .formula = "(1 - 3/2 sin^2 alpha) w",
-          .unit = "rad/s",
-          .expected = (1 - 1.5 * std::pow(std::sin(rocker_slenderness), 2)) * found.before,
-          .got = found.after,
-          .tolerance = 3 * rocker_rate * rocker_rate * std::sin(rocker_slenderness) / frequency,
-          .reason = "gravity in the step that is cut short and two more: 3 p^2 sin(alpha) dt"};
+  return measured("speed after the other corner lands, worst of three starts at 60 and 240 Hz", found.after,
+                  "rad/s")
+      .by("(1 - 3/2 sin^2 alpha) w", (1 - 1.5 * std::pow(std::sin(rocker_slenderness), 2)) * found.before)
+      .within(3 * rocker_rate * rocker_rate * std::sin(rocker_slenderness) / frequency,
+              "gravity in the step that is cut short and two more: 3 p^2 sin(alpha) dt");
 }
 
 ValidationResult rocking_blocks(const EngineMaker& make) {
@@ -101,11 +96,10 @@ ValidationResult rocking_blocks(const EngineMaker& make) {
       const Rocking found = rocking(make, share * rocker_slenderness, frequency);
       kept.add(landing_number(found, frequency));
       if (frequency < 100) continue;
-      result.numbers.push_back(
-          quarter_number(share, std::acosh(1 / (1 - share)) / rocker_rate, found.quarter));
+      result.add(quarter_number(share, std::acosh(1 / (1 - share)) / rocker_rate, found.quarter));
     }
   }
-  result.numbers.push_back(kept.number());
+  result.add(kept.number());
   const double start = 0.5 * rocker_slenderness, exact = exact_quarter(start);
   result.convergence = converges(
       "quarter period from 50 % of alpha",

@@ -41,29 +41,16 @@ ValidationResult slip_to_roll(const EngineMaker& make) {
     return run_scene(make, thrown_disc(v0, 0, frequency), 10, t).bodies.back().pose.position.x();
   };
   ValidationResult result;
-  result.numbers.push_back({.what = "way until it rolls, after 1 s at 60 Hz",
-                            .formula = "5 v0^2/(18 mu g) - v0 dt/6",
-                            .unit = "m",
-                            .expected = ideal - v0 * standard_dt / 6,
-                            .got = way(60),
-                            .tolerance = 1e-9 * ideal,
-                            .reason = roll_reason});
+  result.add(measured("way until it rolls, after 1 s at 60 Hz", way(60), "m")
+                 .by("5 v0^2/(18 mu g) - v0 dt/6", ideal - v0 * standard_dt / 6)
+                 .within(1e-9 * ideal, roll_reason));
   const Snapshot end = run_scene(make, thrown_disc(v0, 0, 60), 10, t + 1);
   const Vec3<double> v = end.bodies.back().velocity;
-  result.numbers.push_back({.what = "speed when it rolls",
-                            .formula = "2/3 v0",
-                            .unit = "m/s",
-                            .expected = 2 * v0 / 3,
-                            .got = v.x(),
-                            .tolerance = 1e-9 * v0,
-                            .reason = roll_reason});
-  result.numbers.push_back({.what = "speed of its rim when it rolls",
-                            .formula = "2/3 v0",
-                            .unit = "m/s",
-                            .expected = 2 * v0 / 3,
-                            .got = -v.z() * roll_radius,
-                            .tolerance = 1e-9 * v0,
-                            .reason = roll_reason});
+  result.add(
+      measured("speed when it rolls", v.x(), "m/s").by("2/3 v0", 2 * v0 / 3).within(1e-9 * v0, roll_reason));
+  result.add(measured("speed of its rim when it rolls", -v.z() * roll_radius, "m/s")
+                 .by("2/3 v0", 2 * v0 / 3)
+                 .within(1e-9 * v0, roll_reason));
   result.convergence = converges("way until it rolls, to 5 v0^2/(18 mu g)",
                                  [&](double frequency) { return way(frequency) - ideal; });
   return result;
@@ -89,13 +76,9 @@ void add_rolling(List<Measured>& numbers, const EngineMaker& make, double share)
   const Snapshot end = run_scene(make, thrown_disc(backspin_speed, rim, 60), 10, rolling_begins(rim) + 0.1);
   const Vec3<double> v = end.bodies.back().velocity;
   const auto add = [&](const std::string& what, double got) {
-    numbers.push_back({.what = what + fmt::format(", R w0 = {} v0", share),
-                       .formula = "(2 v0 - R w0)/3",
-                       .unit = "m/s",
-                       .expected = (2 * backspin_speed - rim) / 3,
-                       .got = got,
-                       .tolerance = 1e-9 * backspin_speed,
-                       .reason = roll_reason});
+    numbers.push_back(measured(what + fmt::format(", R w0 = {} v0", share), got, "m/s")
+                          .by("(2 v0 - R w0)/3", (2 * backspin_speed - rim) / 3)
+                          .within(1e-9 * backspin_speed, roll_reason));
   };
   add("speed when it rolls", v.x());
   add("speed of its rim when it rolls", -v.z() * roll_radius);
@@ -108,14 +91,11 @@ ValidationResult backspin(const EngineMaker& make) {
   for (const double share : {0.5, 1.9, 2.0, 2.1, 4.0}) add_rolling(result.numbers, make, share);
   for (const double share : {1.0, 3.0}) {  // it rolls after 1 s and 2 s: whole numbers of steps
     const double rim = share * backspin_speed;
-    result.numbers.push_back(
-        {.what = fmt::format("way until it rolls at 60 Hz, R w0 = {} v0", share),
-         .formula = "v0 t - mu g t^2/2 - mu g t dt/2",
-         .unit = "m",
-         .expected = ideal_backspin_way(rim) - roll_pull * rolling_begins(rim) * standard_dt / 2,
-         .got = backspin_way(make, rim, 60),
-         .tolerance = 1e-9,
-         .reason = roll_reason});
+    result.add(measured(fmt::format("way until it rolls at 60 Hz, R w0 = {} v0", share),
+                        backspin_way(make, rim, 60), "m")
+                   .by("v0 t - mu g t^2/2 - mu g t dt/2",
+                       ideal_backspin_way(rim) - roll_pull * rolling_begins(rim) * standard_dt / 2)
+                   .within(1e-9, roll_reason));
   }
   result.convergence =
       converges("way until it rolls, R w0 = v0, to v0 t - mu g t^2/2", [&](double frequency) {
@@ -129,13 +109,11 @@ ValidationResult backspin(const EngineMaker& make) {
 void add_roll_cases(ValidationCases& cases) {
   cases.push_back({.id = "B8",
                    .title = "A disc thrown without spin slips for v0 / (3 mu g), and then rolls at 2/3 v0",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = slip_to_roll});
   cases.push_back(
       {.id = "B9",
        .title = "A disc with backspin comes to roll at (2 v0 - R w0) / 3, and returns if R w0 > 2 v0",
-       .source = "derived",
        .asks = Asks::any_engine,
        .run = backspin});
 }

@@ -37,20 +37,14 @@ void add_steady_rotor(const EngineMaker& make, double turn, const std::string& n
     const Vec2<double> before = bead.position({1});
     bead.step();
     const Vec2<double> after = bead.position({1});
-    length.add({.what = "steady stretch at f = " + name + ", worst of 600 steps",
-                .formula = "L (1 - cos f)/(beta - 1 + cos f)",
-                .unit = "m",
-                .expected = stretch,
-                .got = after.norm() - 1,
-                .tolerance = 64 * double_epsilon / rotor_beta * radius,
-                .reason = "64 eps r/beta: rounding, of which the rod takes beta back in a step"});
-    angle.add({.what = "turn of a step at f = " + name + ", worst of 600 steps",
-               .formula = "f",
-               .unit = "rad",
-               .expected = turn,
-               .got = std::atan2(cross<double>(before, after), before.dot(after)),
-               .tolerance = 1e-12,
-               .reason = "1e-12: rounding of 600 steps"});
+    length.add(measured("steady stretch at f = " + name + ", worst of 600 steps", after.norm() - 1, "m")
+                   .by("L (1 - cos f)/(beta - 1 + cos f)", stretch)
+                   .within(64 * double_epsilon / rotor_beta * radius,
+                           "64 eps r/beta: rounding, of which the rod takes beta back in a step"));
+    angle.add(measured("turn of a step at f = " + name + ", worst of 600 steps",
+                       std::atan2(cross<double>(before, after), before.dot(after)), "rad")
+                  .by("f", turn)
+                  .within(1e-12, "1e-12: rounding of 600 steps"));
   }
   result.numbers.insert(result.numbers.end(), {length.number(), angle.number()});
 }
@@ -60,13 +54,10 @@ Measured settled_rotor(const EngineMaker& make, double omega) {
   Motion bead(make, rotor(1, omega), 1);
   bead.run(5);
   const double ideal = std::pow(omega * standard_dt, 2) / (2 * rotor_beta);
-  return {.what = "stretch after 5 s from " + std::to_string(std::lround(omega)) + " rad/s",
-          .formula = "L w^2 dt^2/(2 beta)",
-          .unit = "m",
-          .expected = ideal,
-          .got = bead.position({1}).norm() - 1,
-          .tolerance = 4 * ideal * ideal,
-          .reason = "4 C^2/L: longer by C it turns slower by 2 C/L, as r^2 w is kept"};
+  return measured("stretch after 5 s from " + std::to_string(std::lround(omega)) + " rad/s",
+                  bead.position({1}).norm() - 1, "m")
+      .by("L w^2 dt^2/(2 beta)", ideal)
+      .within(4 * ideal * ideal, "4 C^2/L: longer by C it turns slower by 2 C/L, as r^2 w is kept");
 }
 
 ValidationResult rotor_stretch(const EngineMaker& make) {
@@ -74,7 +65,7 @@ ValidationResult rotor_stretch(const EngineMaker& make) {
   add_steady_rotor(make, 0.02, "0.02 rad", result);
   add_steady_rotor(make, 0.0833, "0.0833 rad", result);
   add_steady_rotor(make, 0.17, "0.17 rad", result);
-  for (const double omega : {1.0, 5.0, 10.0}) result.numbers.push_back(settled_rotor(make, omega));
+  for (const double omega : {1.0, 5.0, 10.0}) result.add(settled_rotor(make, omega));
   return result;
 }
 
@@ -83,7 +74,6 @@ ValidationResult rotor_stretch(const EngineMaker& make) {
 void add_rotor_cases(ValidationCases& cases) {
   cases.push_back({.id = "B23",
                    .title = "A rotor is stretched by L w^2 dt^2 / (2 beta) under Baumgarte stabilization",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = rotor_stretch});
 }

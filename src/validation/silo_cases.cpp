@@ -60,26 +60,16 @@ ValidationResult janssen(const EngineMaker& make) {
   const double k = bisected({1e-6, 20}, 1e-9, [&high](double try_k) {
                      return janssen_floor(high, try_k) < high.floor;
                    }).middle();
-  return {
-      .numbers = {within_share(silo_sinking / standard_gravity,
-                               {.what = "load of the floor between smooth walls",
-                                .formula = "W",
-                                .unit = "N",
-                                .expected = smooth.weight,
-                                .got = smooth.floor,
-                                .reason = "the mean of 1 s lacks a change of momentum, of 0.1 m/s: 0.1/g"}),
-                  {.what = "stress on a rough wall over stress along it, K, of 20 rows",
-                   .formula = "0.3 .. 1.2 for grains",
-                   .expected = 0.75,
-                   .got = k,
-                   .tolerance = 0.45,
-                   .reason = "what grains have; 20 sweeps, two fillings"},
-                  within_share(0.25, {.what = "load of the floor under half of the filling, with that K",
-                                      .formula = "w W/(2 mu K) (1 - e^(-2 mu K H/W))",
-                                      .unit = "N",
-                                      .expected = janssen_floor(low, k),
-                                      .got = low.floor,
-                                      .reason = "25 %: fillings differ, and theory leaves that open"})}};
+  return {.numbers = {measured("load of the floor between smooth walls", smooth.floor, "N")
+                          .by("W", smooth.weight)
+                          .within_share(silo_sinking / standard_gravity,
+                                        "the mean of 1 s lacks a change of momentum, of 0.1 m/s: 0.1/g"),
+                      measured("stress on a rough wall over stress along it, K, of 20 rows", k)
+                          .by("0.3 .. 1.2 for grains", 0.75)
+                          .within(0.45, "what grains have; 20 sweeps, two fillings"),
+                      measured("load of the floor under half of the filling, with that K", low.floor, "N")
+                          .by("w W/(2 mu K) (1 - e^(-2 mu K H/W))", janssen_floor(low, k))
+                          .within_share(0.25, "25 %: fillings differ, and theory leaves that open")}};
 }
 
 }  // namespace

@@ -39,19 +39,11 @@ ValidationResult stopping_distance(const EngineMaker& make) {
   ValidationResult result;
   const Snapshot end = run_scene(make, sliding_block(60), 50, 2);
   const std::string reason = "the sums are exact; 50 sweeps of a contact at two points leave rounding";
-  result.numbers.push_back({.what = "way until it stops at 60 Hz",
-                            .formula = "v0^2/(2 mu g) - v0 dt/2",
-                            .unit = "m",
-                            .expected = ideal - slide_speed * standard_dt / 2,
-                            .got = end.bodies.back().pose.position.x(),
-                            .tolerance = 1e-9,
-                            .reason = reason});
-  result.numbers.push_back({.what = "speed when it has stopped",
-                            .formula = "0",
-                            .unit = "m/s",
-                            .got = end.bodies.back().velocity.cwiseAbs().maxCoeff(),
-                            .tolerance = 1e-9,
-                            .reason = reason});
+  result.add(measured("way until it stops at 60 Hz", end.bodies.back().pose.position.x(), "m")
+                 .by("v0^2/(2 mu g) - v0 dt/2", ideal - slide_speed * standard_dt / 2)
+                 .within(1e-9, reason));
+  result.add(measured("speed when it has stopped", end.bodies.back().velocity.cwiseAbs().maxCoeff(), "m/s")
+                 .zero_within(1e-9, reason));
   result.convergence = converges("way until it stops, to v0^2/(2 mu g)", [&](double frequency) {
     return run_scene(make, sliding_block(frequency), 50, 2).bodies.back().pose.position.x() - ideal;
   });
@@ -102,25 +94,17 @@ void add_block_heat(List<Measured>& numbers) {
     differences.push_back(audit.heat_by_way - slide_friction * slide_mass * standard_gravity * way);
   }
   const std::string sweeps = "50 sweeps of a contact at two points leave rounding, which 120 steps add up";
-  numbers.push_back({.what = "heat of a block that slides to a halt" + heat_of_all_solvers,
-                     .formula = "m v0^2/2",
-                     .unit = "J",
-                     .expected = energy,
-                     .got = farthest(energy, heats),
-                     .tolerance = 1e-9 * energy,
-                     .reason = sweeps});
-  numbers.push_back({.what = "sum of impulse times way, less the heat of the way" + heat_of_all_solvers,
-                     .formula = "sum p v dt - mu m g d = 0",
-                     .unit = "J",
-                     .got = farthest(0, differences),
-                     .tolerance = 1e-9 * energy,
-                     .reason = sweeps});
-  numbers.push_back({.what = "most that friction gave to the block in a step" + heat_of_all_solvers,
-                     .formula = "0",
-                     .unit = "J",
-                     .got = farthest(0, gains),
-                     .tolerance = 1e-12 * energy,
-                     .reason = "friction never pushes on; rounding of the energy"});
+  numbers.push_back(
+      measured("heat of a block that slides to a halt" + heat_of_all_solvers, farthest(energy, heats), "J")
+          .by("m v0^2/2", energy)
+          .within(1e-9 * energy, sweeps));
+  numbers.push_back(measured("sum of impulse times way, less the heat of the way" + heat_of_all_solvers,
+                             farthest(0, differences), "J")
+                        .by("sum p v dt - mu m g d = 0", 0)
+                        .within(1e-9 * energy, sweeps));
+  numbers.push_back(measured("most that friction gave to the block in a step" + heat_of_all_solvers,
+                             farthest(0, gains), "J")
+                        .zero_within(1e-12 * energy, "friction never pushes on; rounding of the energy"));
 }
 
 const double audit_disc_speed = 6;  // [m/s] v0
@@ -138,19 +122,14 @@ void add_disc_heat(List<Measured>& numbers) {
     slipping.push_back(run_with_audit(world, *solver, 1).heat);
     rolling.push_back(run_with_audit(world, *solver, 2).heat);
   }
-  numbers.push_back({.what = "heat of a disc thrown without spin, until it rolls" + heat_of_all_solvers,
-                     .formula = "m v0^2/6",
-                     .unit = "J",
-                     .expected = heat,
-                     .got = farthest(heat, slipping),
-                     .tolerance = 1e-9 * heat,
-                     .reason = "the sums are exact; the rows of a disc do not act on each other"});
-  numbers.push_back({.what = "heat of the rolling that follows" + heat_of_all_solvers,
-                     .formula = "0",
-                     .unit = "J",
-                     .got = farthest(0, rolling),
-                     .tolerance = 1e-12 * heat,
-                     .reason = "rolling does not slide; rounding of the energy"});
+  numbers.push_back(
+      measured("heat of a disc thrown without spin, until it rolls" + heat_of_all_solvers,
+               farthest(heat, slipping), "J")
+          .by("m v0^2/6", heat)
+          .within(1e-9 * heat, "the sums are exact; the rows of a disc do not act on each other"));
+  numbers.push_back(
+      measured("heat of the rolling that follows" + heat_of_all_solvers, farthest(0, rolling), "J")
+          .zero_within(1e-12 * heat, "rolling does not slide; rounding of the energy"));
 }
 
 ValidationResult friction_heat(const EngineMaker&) {
@@ -171,12 +150,10 @@ ValidationResult friction_heat(const EngineMaker&) {
 void add_slide_cases(ValidationCases& cases) {
   cases.push_back({.id = "B6",
                    .title = "A block that slides at v0 stops after v0^2 / (2 mu g), less v0 dt / 2",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = stopping_distance});
   cases.push_back({.id = "B7",
                    .title = "Friction turns into heat what a body loses, which is mu m g times the way slid",
-                   .source = "derived",
                    .run = friction_heat});
 }
 

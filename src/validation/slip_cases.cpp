@@ -88,12 +88,12 @@ double expected_slip(int n, double ratio) {
 ValidationResult rope_held_or_slipping(const EngineMaker&) {
   const std::string any = ": worst of 3, 6, 12 corners and 2 solvers";
   const std::string rounding = "14 digits of sweeps, and the rounding of numbers near 1 in each: 1e-12";
-  Worst held({.what = "speed of the weight, over g dt, at 0.9999 of the ratio that is held" + any,
-              .formula = "0",
-              .reason = rounding});
-  Worst slips({.what = "speed over g dt at 1.0001, 1.01 and 2 times that ratio" + any,
-               .formula = "u cos h, mass of a bead u/dt = (T - T') cos h - mu (T + T') sin h",
-               .reason = rounding});
+  Worst held = Worst("speed of the weight, over g dt, at 0.9999 of the ratio that is held" + any)
+                   .by("0")
+                   .since(rounding);
+  Worst slips = Worst("speed over g dt at 1.0001, 1.01 and 2 times that ratio" + any)
+                    .by("u cos h, mass of a bead u/dt = (T - T') cos h - mu (T + T') sin h")
+                    .since(rounding);
   for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const int n : {3, 6, 12}) {
       const double ratio = capstan_ratio(n, slip_friction);
@@ -111,7 +111,6 @@ ValidationResult rope_held_or_slipping(const EngineMaker&) {
 void add_slip_cases(ValidationCases& cases) {
   cases.push_back({.id = "B32b",
                    .title = "A rope round a post that slips speeds up as the laws of motion say",
-                   .source = "derived",
                    .run = rope_held_or_slipping});
 }
 

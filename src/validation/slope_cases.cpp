@@ -73,20 +73,12 @@ ValidationResult block_on_slope(const EngineMaker& make) {
   };
   const Snapshot end = after_a_second(60);
   const std::string reason = "the sums are exact; 50 sweeps of a contact at two points leave rounding";
-  result.numbers.push_back({.what = "speed after 1 s at 30 degrees, mu = 0.3",
-                            .formula = "g (sin - mu cos) t",
-                            .unit = "m/s",
-                            .expected = a,
-                            .got = slope_speed(slope, end),
-                            .tolerance = 1e-9 * a,
-                            .reason = reason});
-  result.numbers.push_back({.what = "way after 1 s at 30 degrees, mu = 0.3",
-                            .formula = "a t^2/2 + a t dt/2",
-                            .unit = "m",
-                            .expected = a / 2 + a * standard_dt / 2,
-                            .got = slope_way(slope, end),
-                            .tolerance = 1e-9 * a,
-                            .reason = reason});
+  result.add(measured("speed after 1 s at 30 degrees, mu = 0.3", slope_speed(slope, end), "m/s")
+                 .by("g (sin - mu cos) t", a)
+                 .within(1e-9 * a, reason));
+  result.add(measured("way after 1 s at 30 degrees, mu = 0.3", slope_way(slope, end), "m")
+                 .by("a t^2/2 + a t dt/2", a / 2 + a * standard_dt / 2)
+                 .within(1e-9 * a, reason));
   result.convergence = converges("way after 1 s, to a t^2/2", [&](double frequency) {
     return slope_way(slope, after_a_second(frequency)) - a / 2;
   });
@@ -109,13 +101,10 @@ ValidationResult wheel_down_slope(const EngineMaker& make) {
   ValidationResult result;
   const CaseSlope slope{in_radians(30)};
   const auto add = [&](const std::string& what, const std::string& formula, double expected, double got) {
-    result.numbers.push_back({.what = what,
-                              .formula = formula,
-                              .unit = "m/s",
-                              .expected = expected,
-                              .got = got,
-                              .tolerance = 1e-9 * expected,
-                              .reason = "the sums are exact; the rows of a wheel do not act on each other"});
+    result.add(
+        measured(what, got, "m/s")
+            .by(formula, expected)
+            .within(1e-9 * expected, "the sums are exact; the rows of a wheel do not act on each other"));
   };
   for (const double share : {0.5, 1.0}) {
     const std::string wheel = share < 1 ? "disc" : "hoop";
@@ -163,20 +152,13 @@ ValidationResult tall_block_on_slope(const EngineMaker& make) {
   const CaseSlope slope{in_radians(30)};
   const Snapshot end = run_scene(make, scene_on_slope(slope, slope_block(1, 2, 0.4), 1), 50, 1);
   const double a = standard_gravity * (std::sin(slope.angle) - 0.4 * std::cos(slope.angle));
-  result.numbers.push_back(
-      {.what = "speed of the same block after 1 s at 30 degrees, mu = 0.4 < w/h",
-       .formula = "g (sin - mu cos) t",
-       .unit = "m/s",
-       .expected = a,
-       .got = slope_speed(slope, end),
-       .tolerance = 1e-9 * a,
-       .reason = "the sums are exact; 50 sweeps of a contact at two points leave rounding"});
-  result.numbers.push_back({.what = "its tilt meanwhile",
-                            .formula = "0",
-                            .unit = "rad",
-                            .got = end.bodies.back().pose.angle + slope.angle,
-                            .tolerance = 1e-9,
-                            .reason = "both edges stay on the slope: what 50 sweeps leave"});
+  result.add(
+      measured("speed of the same block after 1 s at 30 degrees, mu = 0.4 < w/h", slope_speed(slope, end),
+               "m/s")
+          .by("g (sin - mu cos) t", a)
+          .within(1e-9 * a, "the sums are exact; 50 sweeps of a contact at two points leave rounding"));
+  result.add(measured("its tilt meanwhile", end.bodies.back().pose.angle + slope.angle, "rad")
+                 .zero_within(1e-9, "both edges stay on the slope: what 50 sweeps leave"));
   return result;
 }
 
@@ -191,12 +173,10 @@ void add_slope_cases(ValidationCases& cases) {
   cases.push_back(
       {.id = "B10",
        .title = "A disc rolls down a slope at 2/3 g sin, a hoop at 1/2 g sin, while friction holds",
-       .source = "derived",
        .asks = Asks::any_engine,
        .run = wheel_down_slope});
   cases.push_back({.id = "B11",
                    .title = "A tall block tips over at tan(angle) = width / height, unless it slides first",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = tall_block_on_slope});
 }

@@ -27,23 +27,12 @@ VelocityProblem<double> pressed_box(double press, double friction_impulse) {
 ValidationResult two_answers(const EngineMaker&) {
   const std::string any = ": worst of 8 solvers",
                     both = ", pressed by 1 and 1.5 m g dt / 2 mu: worst of 8 solvers";
-  Worst falls({.what = "speed from impulses 0" + any,
-               .formula = "-g dt",
-               .unit = "m/s",
-               .reason = "exact: nothing is added to it"});
-  Worst cold({.what = "violation by the answer without impulses" + any,
-              .formula = "0",
-              .unit = "m/s",
-              .reason = "exact"});
-  Worst stays({.what = "speed" + both, .formula = "0", .unit = "m/s", .reason = "64 epsilon of 1 m/s"});
-  Worst holds({.what = "sum of friction impulses" + both,
-               .formula = "m g dt",
-               .unit = "N s",
-               .reason = "64 epsilon of it"});
-  Worst warm({.what = "violation by the answer" + both,
-              .formula = "0",
-              .unit = "m/s",
-              .reason = "64 epsilon of 1 m/s"});
+  Worst falls =
+      Worst("speed from impulses 0" + any, "m/s").by("-g dt").since("exact: nothing is added to it");
+  Worst cold = Worst("violation by the answer without impulses" + any, "m/s").by("0").since("exact");
+  Worst stays = Worst("speed" + both, "m/s").by("0").since("64 epsilon of 1 m/s");
+  Worst holds = Worst("sum of friction impulses" + both, "N s").by("m g dt").since("64 epsilon of it");
+  Worst warm = Worst("violation by the answer" + both, "m/s").by("0").since("64 epsilon of 1 m/s");
   for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = box_in_slot(slot_friction);
     make({.iterations = 50})->solve(problem);
@@ -62,10 +51,9 @@ ValidationResult two_answers(const EngineMaker&) {
 
 // A10
 ValidationResult too_little_pressure(const EngineMaker&) {
-  Worst worst({.what = "speed, pressed by p = 0.6 m g dt / 2 mu: worst of 8 solvers",
-               .formula = "-g dt + 2 mu p / m",
-               .unit = "m/s",
-               .reason = "64 epsilon of 1 m/s"});
+  Worst worst = Worst("speed, pressed by p = 0.6 m g dt / 2 mu: worst of 8 solvers", "m/s")
+                    .by("-g dt + 2 mu p / m")
+                    .since("64 epsilon of 1 m/s");
   for (const SolverMaker<double>& make : all_solvers<double>(Iterates::any)) {
     VelocityProblem<double> problem = pressed_box(0.6, 0);
     make({.iterations = 50})->solve(problem);

@@ -145,22 +145,15 @@ ValidationResult beads_on_springs(const EngineMaker& make) {
     const double omega = 2 * std::sin(mode * pi / 12), turn = omega * dt;
     const ModeRun got = run_mode(make, mode, dt);
     // It turns by 2 atan(w dt / 2) in a step, (w dt)^2 / 12 less than w dt.
-    result.numbers.push_back(within_share(1.5 * turn * turn / 12,
-                                          {.what = "mode " + std::to_string(mode) + " at 50 Hz",
-                                           .formula = "2 sqrt(k/m) sin(" + std::to_string(mode) + " pi/12)",
-                                           .unit = "rad/s",
-                                           .expected = omega,
-                                           .got = got.frequency,
-                                           .reason = "1.5 (w dt)^2/12: a step turns by 2 atan(w dt/2)"}));
-    place.add({.what = "beads beside the step by hand, worst of 5 modes and 500 steps",
-               .formula = "(1 + h^2 K_a) v' = (1 + h^2 K_b) v - h K x",
-               .unit = "m",
-               .expected = 0,
-               .got = got.off,
-               .tolerance = 64 * 6 * double_epsilon * mode_steps,
-               .reason = "64 roundings of lengths up to 6 m in each of 500 steps"});
+    result.add(measured("mode " + std::to_string(mode) + " at 50 Hz", got.frequency, "rad/s")
+                   .by("2 sqrt(k/m) sin(" + std::to_string(mode) + " pi/12)", omega)
+                   .within_share(1.5 * turn * turn / 12, "1.5 (w dt)^2/12: a step turns by 2 atan(w dt/2)"));
+    place.add(measured("beads beside the step by hand, worst of 5 modes and 500 steps", got.off, "m")
+                  .by("(1 + h^2 K_a) v' = (1 + h^2 K_b) v - h K x", 0)
+                  .within(64 * 6 * double_epsilon * mode_steps,
+                          "64 roundings of lengths up to 6 m in each of 500 steps"));
   }
-  result.numbers.push_back(place.number());
+  result.add(place.number());
   return result;
 }
 
@@ -180,26 +173,22 @@ double amplitude_after_ten_swings(const EngineMaker& make, double frequency, dou
 void add_undamped_swings(const EngineMaker& make, double frequency, ValidationResult& result) {
   const double hertz = 240, turn = 2 * pi * frequency / hertz;
   // The place of the largest stretch is half a step away from a step at most, and that of the start likewise.
-  result.numbers.push_back(
-      {.what = "amplitude left after ten swings of " + shortest(frequency) + " Hz",
-       .formula = "1 - 10 pi (w h)^5",
-       .expected = 1 - 10 * pi * std::pow(turn, 5),
-       .got = amplitude_after_ten_swings(make, frequency, hertz),
-       .tolerance = turn * turn / 4 + 0.1 * 10 * pi * std::pow(turn, 5),
-       .reason = "(w h)^2/4: the turning points lie between steps; a tenth of the loss"});
+  result.add(measured("amplitude left after ten swings of " + shortest(frequency) + " Hz",
+                      amplitude_after_ten_swings(make, frequency, hertz))
+                 .by("1 - 10 pi (w h)^5", 1 - 10 * pi * std::pow(turn, 5))
+                 .within(turn * turn / 4 + 0.1 * 10 * pi * std::pow(turn, 5),
+                         "(w h)^2/4: the turning points lie between steps; a tenth of the loss"));
 }
 
 void add_stiff_step(const EngineMaker& make, ValidationResult& result) {
   const double start = 0.25, s = std::pow(2 * pi * 1e4 * standard_dt, 2);
   Motion bob(make, bob_on_spring(SwingSoftness{.frequency = 1e4}, start, 0, standard_dt), 1);
   bob.step();
-  result.numbers.push_back({.what = "stretch of an undamped spring of 10 kHz after one step of 1/60 s",
-                            .formula = "x/(1 + w^2 h^2)",
-                            .unit = "m",
-                            .expected = start / (1 + s),
-                            .got = stretch_of(bob),
-                            .tolerance = 64 * double_epsilon * 2 + start / (s * s),
-                            .reason = "64 roundings of a place of 2 m; 1/(w h)^4 of the middle of the step"});
+  result.add(
+      measured("stretch of an undamped spring of 10 kHz after one step of 1/60 s", stretch_of(bob), "m")
+          .by("x/(1 + w^2 h^2)", start / (1 + s))
+          .within(64 * double_epsilon * 2 + start / (s * s),
+                  "64 roundings of a place of 2 m; 1/(w h)^4 of the middle of the step"));
 }
 
 /// How far a bob on a damped spring of 0.2 Hz is after 2 s from where it should be [m].
@@ -234,18 +223,13 @@ ValidationResult static_sag(const EngineMaker& make) {
       const SpringSoftness spring{.stiffness = stiffness, .damping = damping};
       Motion bob(make, bob_on_spring(spring, 0, standard_gravity, dt), 1);
       bob.run(seconds);
-      sag.add(within_share(1e-9, {.what = "sag, worst of two dampings and three steps",
-                                  .formula = "m g/k",
-                                  .unit = "m",
-                                  .expected = bob_mass * standard_gravity / stiffness,
-                                  .got = stretch_of(bob),
-                                  .reason = reason}));
-      load.add(within_share(1e-9, {.what = "tension, worst of two dampings and three steps",
-                                   .formula = "m g",
-                                   .unit = "N",
-                                   .expected = bob_mass * standard_gravity,
-                                   .got = bob.now().joints[0].impulse.norm() / dt,
-                                   .reason = reason}));
+      sag.add(measured("sag, worst of two dampings and three steps", stretch_of(bob), "m")
+                  .by("m g/k", bob_mass * standard_gravity / stiffness)
+                  .within_share(1e-9, reason));
+      load.add(measured("tension, worst of two dampings and three steps",
+                        bob.now().joints[0].impulse.norm() / dt, "N")
+                   .by("m g", bob_mass * standard_gravity)
+                   .within_share(1e-9, reason));
     }
   }
   const double omega = 2 * pi * 2;
@@ -253,12 +237,9 @@ ValidationResult static_sag(const EngineMaker& make) {
   Motion bob(make, bob_on_spring(swing, 0, standard_gravity, standard_dt), 1);
   bob.run(seconds);
   return {.numbers = {sag.number(), load.number(),
-                      within_share(1e-9, {.what = "sag of a spring given by its frequency of 2 Hz",
-                                          .formula = "g/w^2",
-                                          .unit = "m",
-                                          .expected = standard_gravity / (omega * omega),
-                                          .got = stretch_of(bob),
-                                          .reason = reason})}};
+                      measured("sag of a spring given by its frequency of 2 Hz", stretch_of(bob), "m")
+                          .by("g/w^2", standard_gravity / (omega * omega))
+                          .within_share(1e-9, reason)}};
 }
 
 }  // namespace

@@ -21,10 +21,9 @@ double stack_rate(int n) { return std::pow(std::cos(pi / (2 * n)), 2); }
 
 // A1. The contact j, counted from 0 at the ground, carries n - j boxes.
 ValidationResult stack_weights(const EngineMaker&) {
-  Worst worst({.what = "impulse of a contact: worst of n = 1, 2, 5, 10 and of 5 solvers",
-               .formula = "(n - j) m g dt",
-               .unit = "N s",
-               .reason = "64 roundings of the total weight, each of which lives 1 / (1 - rate) sweeps"});
+  Worst worst = Worst("impulse of a contact: worst of n = 1, 2, 5, 10 and of 5 solvers", "N s")
+                    .by("(n - j) m g dt")
+                    .since("64 roundings of the total weight, each of which lives 1 / (1 - rate) sweeps");
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     for (const int n : {1, 2, 5, 10}) {
       VelocityProblem<double> problem = stack<double>(n);
@@ -50,13 +49,11 @@ ValidationResult settled_stack(const EngineMaker& make) {
   const double box_weight = standard_gravity * standard_dt;
   for (int j = 0; j < n; ++j) {
     // Warm starts bring the sweeps of all steps together: what is left is the rounding of the last 2000.
-    result.numbers.push_back({.what = "impulse under box " + std::to_string(j + 1) + " of 5, after 2 s",
-                              .formula = "(n - j) m g dt",
-                              .unit = "N s",
-                              .expected = (n - j) * box_weight,
-                              .got = normal_impulse_between(now, {j}, {j + 1}),
-                              .tolerance = 64 * double_epsilon * (1 + sweeps) * n * box_weight,
-                              .reason = "64 roundings in each of the last 2000 sweeps"});
+    result.add(measured("impulse under box " + std::to_string(j + 1) + " of 5, after 2 s",
+                        normal_impulse_between(now, {j}, {j + 1}), "N s")
+                   .by("(n - j) m g dt", (n - j) * box_weight)
+                   .within(64 * double_epsilon * (1 + sweeps) * n * box_weight,
+                           "64 roundings in each of the last 2000 sweeps"));
   }
   return result;
 }
@@ -93,13 +90,11 @@ Measured rounding_of_two_boxes(const std::string& scalar) {
     const double error = worst_of_two_boxes<Real>(heavy);
     if (!(error <= largest)) largest = error;
   }
-  return {.what = "error in " + scalar +
-                  ", over epsilon (1 + k) (m + M) g dt: worst of k = 1..200, "
-                  "M/m = 1/4, 1, 4, 100 and of 5 solvers",
-          .formula = "0",
-          .got = largest,
-          .tolerance = 64,
-          .reason = "a sweep has fewer than 64 roundings of numbers below (m + M) g dt"};
+  return measured("error in " + scalar +
+                      ", over epsilon (1 + k) (m + M) g dt: worst of k = 1..200, "
+                      "M/m = 1/4, 1, 4, 100 and of 5 solvers",
+                  largest)
+      .zero_within(64, "a sweep has fewer than 64 roundings of numbers below (m + M) g dt");
 }
 
 // A2, and with it the order in which a sweep sees fresh values: any slip of an index breaks the trace. Row 2
@@ -113,22 +108,14 @@ ValidationResult two_boxes_sweep_by_sweep(const EngineMaker&) {
   const double tolerance = 64 * double_epsilon * (1 + k) * (1 + heavy) * g_dt;
   const std::string reason = "64 roundings a sweep of the total weight";
   ValidationResult result;
-  result.numbers = {{.what = "impulse at the ground after 5 sweeps, M = 4 m",
-                     .formula = "(m + M (1 - q^(k-1))) g dt, q = M/(M+m)",
-                     .unit = "N s",
-                     .expected = g_dt * (1 + heavy * (1 - std::pow(q, k - 1))),
-                     .got = problem.impulse[0],
-                     .tolerance = tolerance,
-                     .reason = reason},
-                    {.what = "impulse between the boxes after 5 sweeps, M = 4 m",
-                     .formula = "M (1 - q^k) g dt",
-                     .unit = "N s",
-                     .expected = g_dt * heavy * (1 - std::pow(q, k)),
-                     .got = problem.impulse[1],
-                     .tolerance = tolerance,
-                     .reason = reason},
-                    rounding_of_two_boxes<float>("float"),
-                    rounding_of_two_boxes<double>("double")};
+  result.numbers = {
+      measured("impulse at the ground after 5 sweeps, M = 4 m", problem.impulse[0], "N s")
+          .by("(m + M (1 - q^(k-1))) g dt, q = M/(M+m)", g_dt * (1 + heavy * (1 - std::pow(q, k - 1))))
+          .within(tolerance, reason),
+      measured("impulse between the boxes after 5 sweeps, M = 4 m", problem.impulse[1], "N s")
+          .by("M (1 - q^k) g dt", g_dt * heavy * (1 - std::pow(q, k)))
+          .within(tolerance, reason),
+      rounding_of_two_boxes<float>("float"), rounding_of_two_boxes<double>("double")};
   return result;
 }
 
@@ -136,16 +123,15 @@ ValidationResult two_boxes_sweep_by_sweep(const EngineMaker&) {
 ValidationResult stack_sweeps(const EngineMaker&) {
   ValidationResult result;
   for (const int n : {5, 10, 20}) {
-    Worst worst({.what = "sweeps a digit, n = " + std::to_string(n) + ": worst of 5 solvers",
-                 .formula = "ln 10 / -ln cos^2(pi/2n)",
-                 .unit = "sweeps",
-                 .reason = "the next mode is e^(-2 pi^2) = 3e-9 of the slowest by sweep n^2; 1e-6 of all"});
+    Worst worst = Worst("sweeps a digit, n = " + std::to_string(n) + ": worst of 5 solvers", "sweeps")
+                      .by("ln 10 / -ln cos^2(pi/2n)")
+                      .since("the next mode is e^(-2 pi^2) = 3e-9 of the slowest by sweep n^2; 1e-6 of all");
     const double expected = sweeps_a_digit(stack_rate(n));
     for (const SolverMaker<double>& make : all_solvers<double>()) {
       worst.add(expected, sweeps_a_digit(measured_rate(make, stack<double>(n), n * n, 2 * n * n)),
                 1e-6 * expected);
     }
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
   // ln cos^2(x) = -x^2 - x^4/6 - ...
   const double long_stack = 4 * std::log(10.0) / (pi * pi) * 100;
@@ -154,7 +140,7 @@ ValidationResult stack_sweeps(const EngineMaker&) {
   rule.expected = long_stack;
   rule.tolerance = 0.006 * long_stack;
   rule.reason = "the next term of the cosine is (pi/2n)^2 / 6 = 0.4 %";
-  result.numbers.push_back(rule);
+  result.add(rule);
   return result;
 }
 
@@ -166,14 +152,11 @@ ValidationResult stack_sweeps_of_jacobi(const EngineMaker&) {
     // The next mode as in Gauss-Seidel, in twice as many sweeps.
     const double rate =
         measured_rate(maker<Jacobi<double>, double>(), stack<double>(n), 2 * n * n, 4 * n * n);
-    result.numbers.push_back(
-        {.what = "sweeps a digit of plain Jacobi, n = " + std::to_string(n),
-         .formula = "ln 10 / -ln cos(pi/2n)",
-         .unit = "sweeps",
-         .expected = expected,
-         .got = sweeps_a_digit(rate),
-         .tolerance = 1e-6 * expected,
-         .reason = "the next mode is e^(-2 pi^2) = 3e-9 of the slowest by sweep 2 n^2; 1e-6 of all"});
+    result.add(
+        measured("sweeps a digit of plain Jacobi, n = " + std::to_string(n), sweeps_a_digit(rate), "sweeps")
+            .by("ln 10 / -ln cos(pi/2n)", expected)
+            .within(1e-6 * expected,
+                    "the next mode is e^(-2 pi^2) = 3e-9 of the slowest by sweep 2 n^2; 1e-6 of all"));
   }
   return result;
 }
@@ -191,11 +174,11 @@ ValidationResult stack_sweeps_relaxed(const EngineMaker&) {
   const int n = 10;
   ValidationResult result;
   for (const double omega : {0.5, 1.25, 1.5}) {
-    Worst worst({.what = "sweeps a digit of ten boxes, omega = " + std::to_string(omega).substr(0, 4) +
-                         ": worst of 2 solvers",
-                 .formula = "ln 10 / -ln x, x + omega - 1 = omega cos(pi/2n) sqrt(x)",
-                 .unit = "sweeps",
-                 .reason = "the next mode is below 1e-15 of the slowest in these sweeps; 1e-6 of all"});
+    Worst worst = Worst("sweeps a digit of ten boxes, omega = " + std::to_string(omega).substr(0, 4) +
+                            ": worst of 2 solvers",
+                        "sweeps")
+                      .by("ln 10 / -ln x, x + omega - 1 = omega cos(pi/2n) sqrt(x)")
+                      .since("the next mode is below 1e-15 of the slowest in these sweeps; 1e-6 of all");
     const double expected = sweeps_a_digit(rate_by_young(n, omega));
     for (const SolverMaker<double>& make : paper_solvers<double>()) {
       const SolverMaker<double> relaxed = [&](SolverSettings settings) {
@@ -206,7 +189,7 @@ ValidationResult stack_sweeps_relaxed(const EngineMaker&) {
       worst.add(expected, sweeps_a_digit(measured_rate(relaxed, stack<double>(n), last / 2, last)),
                 1e-6 * expected);
     }
-    result.numbers.push_back(worst.number());
+    result.add(worst.number());
   }
   return result;
 }

@@ -36,26 +36,21 @@ ValidationResult two_strings(const EngineMaker&) {
       Motion weight(make, weight_on_two_strings(angle), 300);
       weight.run(0.25);
       for (const SnapshotJoint& string : weight.now().joints) {
-        tension.add(within_share(1e-12, {.what = "tension at " + std::to_string(std::lround(degrees)) +
-                                                 " degrees, worst of 2 strings and 5 solvers",
-                                         .formula = "m g/(2 sin a)",
-                                         .unit = "N",
-                                         .expected = string_weight * standard_gravity / (2 * std::sin(angle)),
-                                         .got = string.impulse.norm() / weight.dt(),
-                                         .reason = "1e-12: a sweep leaves cos^2(2a) <= 0.883; 300 "
-                                                   "leave rounding"}));
+        tension.add(measured("tension at " + std::to_string(std::lround(degrees)) +
+                                 " degrees, worst of 2 strings and 5 solvers",
+                             string.impulse.norm() / weight.dt(), "N")
+                        .by("m g/(2 sin a)", string_weight * standard_gravity / (2 * std::sin(angle)))
+                        .within_share(1e-12,
+                                      "1e-12: a sweep leaves cos^2(2a) <= 0.883; 300 "
+                                      "leave rounding"));
       }
-      rest.add({.what = "speed of the weight, worst of 4 angles and 5 solvers",
-                .formula = "0",
-                .unit = "m/s",
-                .expected = 0,
-                .got = weight.velocity({1}).norm(),
-                .tolerance = 1e-13,
-                .reason = "rounding of g dt = 0.17 m/s"});
+      rest.add(
+          measured("speed of the weight, worst of 4 angles and 5 solvers", weight.velocity({1}).norm(), "m/s")
+              .zero_within(1e-13, "rounding of g dt = 0.17 m/s"));
     }
-    result.numbers.push_back(tension.number());
+    result.add(tension.number());
   }
-  result.numbers.push_back(rest.number());
+  result.add(rest.number());
   return result;
 }
 
@@ -64,7 +59,6 @@ ValidationResult two_strings(const EngineMaker&) {
 void add_string_cases(ValidationCases& cases) {
   cases.push_back({.id = "B41",
                    .title = "Two strings that rise at an angle carry W / (2 sin angle) each of a weight W",
-                   .source = "derived",
                    .run = two_strings});
 }
 

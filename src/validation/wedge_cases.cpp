@@ -36,13 +36,10 @@ ValidationResult block_on_wedge(const EngineMaker& make) {
   const Snapshot end = run_scene(make, free_wedge(), 300, t);
   ValidationResult result;
   const auto add = [&](const char* what, const char* formula, double expected, double got) {
-    result.numbers.push_back({.what = what,
-                              .formula = formula,
-                              .unit = "m/s",
-                              .expected = expected,
-                              .got = got,
-                              .tolerance = 1e-9 * std::abs(expected),
-                              .reason = "constant forces: velocities are exact; 300 sweeps leave rounding"});
+    result.add(measured(what, got, "m/s")
+                   .by(formula, expected)
+                   .within(1e-9 * std::abs(expected),
+                           "constant forces: velocities are exact; 300 sweeps leave rounding"));
   };
   add("speed of the wedge after 0.5 s", "-m g sin cos/(M + m sin^2) t = -a t", -a * t,
       end.bodies[{1}].velocity.x());
@@ -57,7 +54,6 @@ ValidationResult block_on_wedge(const EngineMaker& make) {
 void add_wedge_cases(ValidationCases& cases) {
   cases.push_back({.id = "B14",
                    .title = "A block on a free wedge drives it by m g sin cos / (M + m sin^2)",
-                   .source = "derived",
                    .asks = Asks::any_engine,
                    .run = block_on_wedge});
 }

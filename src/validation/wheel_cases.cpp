@@ -87,20 +87,13 @@ ValidationResult rolling_on_corners(const EngineMaker& make) {
     const double steady = std::sqrt(2 * standard_gravity * drop / (I + R * R) / (1 - ratio * ratio));
     const double share = 3 * standard_gravity / corner_frequency / (R * steady);
     const CornerImpact impact = last_impact(make, corners, 1.2 * steady, 6);
-    result.numbers.push_back({.what = fmt::format("speed after an impact over that before, N = {}", corners),
-                              .formula = "(I + m R^2 cos(2 pi/N))/(I + m R^2)",
-                              .unit = "",
-                              .expected = ratio,
-                              .got = impact.after / impact.before,
-                              .tolerance = share * ratio,
-                              .reason = corner_reason});
-    result.numbers.push_back({.what = fmt::format("steady speed before an impact, N = {}", corners),
-                              .formula = "w^2 = 4 m g R sin(pi/N) sin(slope)/(I + m R^2)/(1 - (w+/w-)^2)",
-                              .unit = "rad/s",
-                              .expected = steady,
-                              .got = impact.before,
-                              .tolerance = share * steady,
-                              .reason = corner_reason});
+    result.add(measured(fmt::format("speed after an impact over that before, N = {}", corners),
+                        impact.after / impact.before)
+                   .by("(I + m R^2 cos(2 pi/N))/(I + m R^2)", ratio)
+                   .within(share * ratio, corner_reason));
+    result.add(measured(fmt::format("steady speed before an impact, N = {}", corners), impact.before, "rad/s")
+                   .by("w^2 = 4 m g R sin(pi/N) sin(slope)/(I + m R^2)/(1 - (w+/w-)^2)", steady)
+                   .within(share * steady, corner_reason));
   }
   return result;
 }

@@ -1,11 +1,22 @@
 // Floor 8. Of many measurements of one thing the one that is furthest from its formula.
 #include "validation/worst.hpp"
-#include "math/list.hpp"
 
 #include <limits>
 #include <stdexcept>
 
 namespace cairn::cases {
+
+Worst Worst::by(const std::string& formula) const {
+  Worst worst = *this;
+  worst.worst_.formula = formula;
+  return worst;
+}
+
+Worst Worst::since(const std::string& reason) const {
+  Worst worst = *this;
+  worst.worst_.reason = reason;
+  return worst;
+}
 
 void Worst::add(const Measured& number) {
   const double error = number.error();
@@ -30,7 +41,7 @@ Measured Worst::number() const {
 }
 
 double farthest(double expected, const List<double>& values) {
-  Worst worst({.what = "values far from " + std::to_string(expected)});
+  Worst worst("values far from " + std::to_string(expected));
   for (const double value : values) worst.add(expected, value, 1);
   return worst.number().got;
 }

@@ -1,8 +1,10 @@
 // Floor 8. Of many measurements of one thing the one that is furthest from its formula.
 #pragma once
 
-#include "validation/case.hpp"
+#include <string>
+
 #include "math/list.hpp"
+#include "validation/case.hpp"
 
 namespace cairn::cases {
 
@@ -12,8 +14,11 @@ class Worst {
  public:
   /// Of measurements that say themselves what they are.
   Worst() = default;
-  /// Of numbers that are all of one kind. `about`: what, formula, unit and reason.
-  explicit Worst(const Measured& about) : worst_(about) {}
+  /// Of numbers that are all of one kind.
+  explicit Worst(const std::string& what, const std::string& unit = "") { worst_ = measured(what, 0, unit); }
+  /// By this formula, and where its tolerance comes from.
+  Worst by(const std::string& formula) const;
+  Worst since(const std::string& reason) const;
 
   void add(const Measured& number);
   void add(double expected, double got, double tolerance);

@@ -12,7 +12,8 @@
 
 #include "cairn.hpp"
 #include "math/list.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
+#include "samples/samples.hpp"
+#include "validation/case_scenes.hpp"
 
 namespace cairn::bench {
 
@@ -37,36 +38,20 @@ struct BlockTableColumn {
 BlockScene pin_chain(const std::string& name, double angle) {
   Scene scene;
   const Vec2<double> along = {std::cos(angle), -std::sin(angle)};
-  BodyId last = ground;
-  for (int i = 0; i < 20; ++i) {
-    const BodyId rod =
-        scene.add({.shapes = {box(1, 0.1)}, .position = along * (i + 0.5), .angle = -angle, .mass = 1});
-    scene.join<RevoluteJoint>({.a = last, .b = rod, .anchor = along * i});
-    last = rod;
-  }
+  samples::add_chain(scene, 20, {.shapes = {box(1, 0.1)}, .position = along / 2, .angle = -angle, .mass = 1},
+                     along);
   return {name, World(scene).velocity_problem()};
 }
 
 /// A cantilever of ten unit boxes.
-BlockScene welded_beam() {
-  Scene scene;
-  BodyId last = ground;
-  for (int i = 0; i < 10; ++i) {
-    const BodyId part = scene.add({.shapes = {box(1, 1)}, .position = {i + 0.5, 0}});
-    scene.join<WeldJoint>({.a = last, .b = part, .anchor = {i, 0}});
-    last = part;
-  }
-  return {"welded beam", World(scene).velocity_problem()};
-}
+BlockScene welded_beam() { return {"welded beam", World(cases::welded_beam(10)).velocity_problem()}; }
 
 /// Ten unit boxes, every other one `offset` to the side: contacts hold and nothing slides. In a straight
 /// stack two normals that are solved together tilt no box, and friction rests; staggered, they gain nothing.
 BlockScene frictional_stack(const std::string& name, double offset) {
   Scene scene;
   scene.add_ground();
-  for (int i = 0; i < 10; ++i) {
-    scene.add({.shapes = {box(1, 1)}, .position = {i % 2 == 0 ? 0 : offset, i + 0.5}});
-  }
+  samples::add_staggered_stack(scene, 10, offset);
   return {name, World(scene).velocity_problem()};
 }
 

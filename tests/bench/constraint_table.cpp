@@ -206,11 +206,7 @@ Case kind_sweep_case(const ConstraintKind& kind) {
   const auto solver = std::make_shared<SequentialImpulse<double>>(SolverSettings{.iterations = sweeps});
   const auto run = [=](benchmark::State& state) {
     for (auto _ : state) {
-      problem->velocity = start->velocity;
-      problem->impulse = start->impulse;
-      const Stopwatch stopwatch;
-      solver->solve(*problem);
-      state.SetIterationTime(stopwatch.seconds() / sweeps);
+      state.SetIterationTime(solve_seconds(*solver, *start, *problem) / sweeps);
     }
   };
   return {.name = kind.name + "/sweep", .run = run, .iterations = 100, .repetitions = 21};

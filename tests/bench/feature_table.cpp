@@ -6,6 +6,7 @@
 #include "lean_sweeps.hpp"
 #include "math/list.hpp"
 #include "measure.hpp"
+#include "samples/samples.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
 #include "tables.hpp"
@@ -82,13 +83,7 @@ TimedRun timed_solve(std::shared_ptr<Solver<double>> solver, const VelocityProbl
                      std::shared_ptr<SolveObserver<double>> observer = nullptr) {
   const auto problem = std::make_shared<VelocityProblem<double>>(start);
   const auto begin = std::make_shared<const VelocityProblem<double>>(start);
-  return [=] {
-    problem->velocity = begin->velocity;
-    problem->impulse = begin->impulse;
-    const Stopwatch stopwatch;
-    solver->solve(*problem, observer.get());
-    return stopwatch.seconds();
-  };
+  return [=] { return solve_seconds(*solver, *begin, *problem, observer.get()); };
 }
 
 /// One of ten steps of a scene, which always begin where its first twenty ended.
@@ -187,10 +182,8 @@ Scene tower_scene(const SceneSettings& settings, BodySpec one, BodySpec far) {
   Scene scene(settings);
   scene.add_ground({.friction = one.friction});
   one.shapes = {box(1, 1)};
-  for (int i = 0; i < 20; ++i) {
-    one.position = {0, 0.5 + i};
-    scene.add(one);
-  }
+  one.position = {0, 0.5};
+  samples::add_stack(scene, 20, one);
   far.type = BodyType::static_body;
   far.shapes = {box(2, 30)};
   if (far.position.isZero(0)) far.position = {30, 20};

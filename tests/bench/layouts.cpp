@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <tuple>
 
 #include "solvers/row_order.hpp"
 #include "sweep_objects.hpp"
@@ -76,11 +77,9 @@ class ConstraintArrays final : public ObjectLayout {
     joints_.reserve(problem.blocks.size());  // so that pointers stay
     manifolds_.reserve(problem.blocks.size());
     for (const RowBlock& block : problem.blocks) {
-      if (is_joint(problem, block)) {
-        order_.push_back(&joints_.emplace_back(problem, block));
-      } else {
-        order_.push_back(&manifolds_.emplace_back(problem, block));
-      }
+      order_.push_back(is_joint(problem, block)
+                           ? static_cast<Solvable*>(&joints_.emplace_back(problem, block))
+                           : &manifolds_.emplace_back(problem, block));
     }
   }
   std::string name() const override { return "virtual call a constraint, objects in arrays"; }
@@ -90,31 +89,31 @@ class ConstraintArrays final : public ObjectLayout {
   List<ManifoldObject> manifolds_;
 };
 
+/// Calls make.operator()<Row>(row) with the class of row i.
+template <typename Make>
+void make_row(const VelocityProblem<double>& problem, int i, const Make& make) {
+  const SweepRow row = sweep_row(problem, i);
+  if (row.row.bounds.is_friction()) return make.template operator()<FrictionRow>(row);
+  if (row.row.bounds.is_unilateral()) return make.template operator()<NormalRow>(row);
+  make.template operator()<EqualityRow>(row);
+}
+
 /// Rows in an array for each class.
 class RowArrays final : public ObjectLayout {
  public:
   explicit RowArrays(const VelocityProblem<double>& problem) : ObjectLayout(problem) {
-    equalities_.reserve(problem.rows.size());
-    normals_.reserve(problem.rows.size());
-    frictions_.reserve(problem.rows.size());
+    std::apply([&](auto&... lists) { (lists.reserve(problem.rows.size()), ...); }, rows_);
     for (int i = 0; i < problem.row_count(); ++i) {
-      const SweepRow row = sweep_row(problem, i);
-      if (row.row.bounds.is_friction()) {
-        order_.push_back(&frictions_.emplace_back(row));
-      } else if (row.row.bounds.is_unilateral()) {
-        order_.push_back(&normals_.emplace_back(row));
-      } else {
-        order_.push_back(&equalities_.emplace_back(row));
-      }
+      make_row(problem, i, [&]<typename Row>(const SweepRow& row) {
+        order_.push_back(&std::get<List<Row>>(rows_).emplace_back(row));
+      });
     }
     link_friction(problem, order_);
   }
   std::string name() const override { return "virtual call a row, objects in arrays"; }
 
  private:
-  List<EqualityRow> equalities_;
-  List<NormalRow> normals_;
-  List<FrictionRow> frictions_;
+  std::tuple<List<EqualityRow>, List<NormalRow>, List<FrictionRow>> rows_;
 };
 
 /// 0, 1, ..., count - 1 in an order that is the same on every run.
@@ -153,14 +152,8 @@ class ScatteredRows final : public ObjectLayout {
   explicit ScatteredRows(const VelocityProblem<double>& problem) : ObjectLayout(problem) {
     objects_.resize(problem.rows.size());
     for (const int i : shuffled_indices(problem.rows.size())) {
-      const SweepRow row = sweep_row(problem, i);
-      if (row.row.bounds.is_friction()) {
-        objects_[i] = std::make_unique<FrictionRow>(row);
-      } else if (row.row.bounds.is_unilateral()) {
-        objects_[i] = std::make_unique<NormalRow>(row);
-      } else {
-        objects_[i] = std::make_unique<EqualityRow>(row);
-      }
+      make_row(problem, i,
+               [&]<typename Row>(const SweepRow& row) { objects_[i] = std::make_unique<Row>(row); });
     }
     for (const auto& object : objects_) order_.push_back(object.get());
     link_friction(problem, order_);

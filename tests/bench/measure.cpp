@@ -50,6 +50,17 @@ double Stopwatch::now() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+double solve_seconds(Solver<double>& solver, const VelocityProblem<double>& start,
+                     VelocityProblem<double>& problem, SolveObserver<double>* observer) {
+  problem.velocity = start.velocity;
+  problem.impulse = start.impulse;
+  const Stopwatch stopwatch;
+  solver.solve(problem, observer);
+  const double seconds = stopwatch.seconds();
+  benchmark::DoNotOptimize(problem.impulse.data());
+  return seconds;
+}
+
 double heap_in_use() {
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd);

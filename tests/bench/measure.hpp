@@ -9,6 +9,7 @@
 #include <string>
 
 #include "math/list.hpp"
+#include "solvers/solver.hpp"
 
 namespace cairn::bench {
 
@@ -47,6 +48,10 @@ class Stopwatch {
   static double now();
   double start_ = now();
 };
+
+/// How long a solve takes [s], from where `start` begins. `problem` is scratch, as large as `start`.
+double solve_seconds(Solver<double>& solver, const VelocityProblem<double>& start,
+                     VelocityProblem<double>& problem, SolveObserver<double>* observer = nullptr);
 
 /// Bytes of the heap that are in use, whoever asked for them: the C library counts them.
 double heap_in_use();

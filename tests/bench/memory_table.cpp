@@ -11,6 +11,7 @@
 #include "scenes.hpp"
 #include "table.hpp"
 #include "tables.hpp"
+#include "samples/samples.hpp"
 #include "validation/case_scenes.hpp"
 
 namespace cairn::bench {
@@ -124,7 +125,7 @@ WorldMemory world_memory(const std::function<Scene()>& make) {
 
 Scene boxes_in_the_air() {
   Scene scene;
-  for (int i = 0; i < 1000; ++i) scene.add({.shapes = {box(1, 1)}, .position = {2.0 * i, 0}});
+  samples::add_line(scene, 1000, {.shapes = {box(1, 1)}}, {2, 0});
   return scene;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "samples/samples.hpp"
 #include "validation/case_scenes.hpp"
 
 namespace cairn::bench {
@@ -36,12 +37,7 @@ VelocityProblem<double> pyramid_with_chains_problem(int base) {
   return problem_of(scene);
 }
 
-VelocityProblem<double> stack_problem(int boxes) {
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}});
-  return problem_of(scene);
-}
+VelocityProblem<double> stack_problem(int boxes) { return problem_of(samples::stack(boxes)); }
 
 VelocityProblem<double> chain_problem(int links) {
   Scene scene;

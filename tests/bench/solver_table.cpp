@@ -64,18 +64,6 @@ List<SolverEntry> solver_entries() {
   };
 }
 
-/// How long a solve takes [s], from a cold start. `problem` is scratch.
-double solve_seconds(Solver<double>& solver, const VelocityProblem<double>& start,
-                     VelocityProblem<double>& problem) {
-  problem.velocity = start.velocity;
-  problem.impulse = start.impulse;
-  const Stopwatch stopwatch;
-  solver.solve(problem);
-  const double seconds = stopwatch.seconds();
-  benchmark::DoNotOptimize(problem.impulse.data());
-  return seconds;
-}
-
 /// So many sweeps that they take longer than all that is done once, and long enough for the clock.
 int sweeps_to_time(const SolverEntry& entry, const VelocityProblem<double>& start,
                    VelocityProblem<double>& problem) {

@@ -1,9 +1,5 @@
 // When two shapes on their way come near each other, by closed forms.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "collision/approach.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

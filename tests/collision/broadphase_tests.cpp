@@ -1,12 +1,6 @@
 // The broadphases against each other and against the definition.
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <stdexcept>
-
 #include "../geometry/random_shapes.hpp"
-#include "collision/broadphase.hpp"
-#include "math/list.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

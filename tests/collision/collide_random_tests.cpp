@@ -1,11 +1,7 @@
 // Properties that every manifold must have, over random pairs of all shapes, against brute force.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <limits>
-
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

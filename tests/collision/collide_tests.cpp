@@ -1,11 +1,9 @@
 // Manifolds of shapes whose contact can be written down by hand.
-#include <doctest/doctest.h>
-
-#include <limits>
 #include <set>
 
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

@@ -1,11 +1,7 @@
 // A manifold that moves with its bodies, against one that is found where they are then.
-#include <doctest/doctest.h>
-
-#include <limits>
-
 #include "../geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
-#include "collision/kept_manifold.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

@@ -1,11 +1,6 @@
 // The list of near pairs, held against the definition while boxes move, come near and go away.
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <stdexcept>
-
 #include "../geometry/random_shapes.hpp"
-#include "collision/near_pairs.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

@@ -1,12 +1,7 @@
 // What lies beside a static shape: tiles give the contacts of the block that they make.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <limits>
-
 #include "collision/collide.hpp"
-#include "geometry/aabb.hpp"
 #include "geometry/random_shapes.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {
@@ -76,6 +71,18 @@ Visitor random_visitor(int round, double margin, test::Random& random) {
   return visitor;
 }
 
+/// Whether it touches both: a whole, and what was made of parts.
+bool check_as_deep(const Visitor& visitor, const Deepest& whole, const Deepest& parts) {
+  CAPTURE(visitor.pose.position.x());
+  CAPTURE(visitor.pose.position.y());
+  CAPTURE(visitor.pose.angle);
+  // Of two faces that are within 5e-4 of the smaller size as far apart either may be the reference, and the
+  // size of these is below 2 m. Tilted by d, lengths on one and on the other differ by d^2 / 2 too.
+  const bool both_miss = std::isinf(whole.separation) && std::isinf(parts.separation);
+  CHECK((both_miss || std::abs(whole.separation - parts.separation) < 1e-3));
+  return !both_miss;
+}
+
 }  // namespace
 
 TEST_CASE("tiles side by side and on each other touch what the block that they make touches, as deep") {
@@ -101,13 +108,7 @@ TEST_CASE("tiles side by side and on each other touch what the block that they m
         CAPTURE(layers);
         CAPTURE(margin);
         CAPTURE(round);
-        CAPTURE(visitor.pose.position.x());
-        CAPTURE(visitor.pose.position.y());
-        CAPTURE(visitor.pose.angle);
-        // Of two faces that are within 5e-4 of the smaller size as far apart either may be the reference, and
-        // the size of these is below 2 m. Tilted by d, lengths on one and on the other differ by d^2 / 2 too.
-        const bool both_miss = std::isinf(whole.separation) && std::isinf(parts.separation);
-        CHECK((both_miss || std::abs(whole.separation - parts.separation) < 1e-3));
+        check_as_deep(visitor, whole, parts);
         const bool is_inside = std::abs(visitor.pose.position.x()) < 2;
         if (is_inside && !std::isinf(parts.separation)) CHECK(parts.slope <= whole.slope + 1e-6);
       }
@@ -145,13 +146,8 @@ TEST_CASE("a closed chain around a polygon touches what the polygon touches, as 
         CAPTURE(corners);
         CAPTURE(margin);
         CAPTURE(round);
-        CAPTURE(visitor.pose.position.x());
-        CAPTURE(visitor.pose.position.y());
-        CAPTURE(visitor.pose.angle);
         if (polygon_touch.separation < -slop) continue;  // what is deep has its middle behind a link
-        const bool both_miss = std::isinf(polygon_touch.separation) && std::isinf(chain_touch.separation);
-        CHECK((both_miss || std::abs(polygon_touch.separation - chain_touch.separation) < 1e-3));
-        touching += both_miss ? 0 : 1;
+        touching += check_as_deep(visitor, polygon_touch, chain_touch) ? 1 : 0;
       }
     }
   }

@@ -2,22 +2,9 @@
 // one line here.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-
-#include "../geometry/random_shapes.hpp"
+#include "geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
-#include "constraints/contact_rows.hpp"
-#include "constraints/differential_joint.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/drag_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "math/list.hpp"
+#include "testing.hpp"
 
 namespace cairn::testing {
 
@@ -41,6 +28,15 @@ struct ConstraintUnderTest {
   StateRows<Real> rows = {};
   bool is_free = true;  // nothing of it is fastened to the ground, which is not among the bodies looked at
 };
+
+template <Scalar Real>
+PerBody<Pose<Real>> poses_in(const PerBody<Pose<double>>& poses) {
+  PerBody<Pose<Real>> result;
+  for (const Pose<double>& pose : poses) {
+    result.push_back({pose.position.cast<Real>(), static_cast<Real>(pose.angle)});
+  }
+  return result;
+}
 
 /// What a row has for one body.
 template <Scalar Real>

@@ -1,9 +1,6 @@
 // The rows of a contact as a problem has them.
-#include <doctest/doctest.h>
-
-#include "../geometry/random_shapes.hpp"
-#include "constraints/contact_rows.hpp"
-#include "constraints/stabilization.hpp"
+#include "geometry/random_shapes.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

@@ -1,14 +1,8 @@
 // Geometric stiffness of contacts, against the second derivatives of their gaps.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "../geometry/random_shapes.hpp"
+#include "geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
-#include "collision/kept_manifold.hpp"
-#include "constraints/contact_rows.hpp"
 #include "constraints/contact_stiffness.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

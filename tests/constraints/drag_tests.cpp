@@ -1,5 +1,4 @@
 // The soft pull of a hand on a body.
-#include "constraints/drag_joint.hpp"
 #include "constraints/stabilization.hpp"
 #include "joint_worlds.hpp"
 

@@ -1,9 +1,6 @@
 // Pucks on a table, seen from above: cones and pyramids of friction.
-#include "../solvers/solver_list.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/friction_joint.hpp"
+#include "solvers/solver_list.hpp"
 #include "joint_worlds.hpp"
-#include "solvers/residual.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -1,7 +1,4 @@
 // Wheels that roll on each other, and three that share their turning.
-#include "constraints/differential_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/revolute_joint.hpp"
 #include "joint_worlds.hpp"
 
 using namespace cairn;
@@ -41,8 +38,7 @@ TEST_CASE("gears have no error where they were made, and see what slipped, many 
   const DifferentialJoint shafts({.a = {1}, .b = {2}, .c = {3}}, poses);
   const double tolerance = 1e-13;  // of angles below 100 rad
   const auto error = [&](const Constraint& joint) {
-    RowSpecs<double> rows;
-    joint.append_rows(poses, rows);
+    const RowSpecs<double> rows = rows_of(joint, poses);
     REQUIRE(rows.size() == 1);
     return rows[0].error;
   };

@@ -1,17 +1,8 @@
 // What the tests of joints share: rows of a joint by name, refusals, and one step of a world.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
-
-#include "constraints/joint_rows.hpp"
-#include "geometry/shape.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
+#include "validation/case_constants.hpp"
 
 namespace cairn::testing {
 
@@ -32,12 +23,7 @@ struct HandSwing {
   double omega = 0;  // [rad/s]
   double zeta = 0;
 
-  void step(double h, double acceleration = 0) {
-    const double s = h * h * omega * omega, q = 2 * zeta * omega * h, share = 1 / (1 + s * s);
-    const double a = 1 - 3 * share / 4, b = share / 4, p = (1 + q) / (2 + q);
-    v = (v * (1 + b * s - (1 - p) * q) + h * acceleration - h * omega * omega * x) / (1 + a * s + p * q);
-    x += h * v;
-  }
+  void step(double h, double acceleration = 0) { cases::swing_step(x, v, h, omega, zeta, acceleration); }
 };
 
 /// The impulse [N s] that the row `part` of the scene's joint number `joint` gave in the last step.
@@ -58,19 +44,13 @@ int joint_row_count(const World<Real>& world) {
 
 template <Scalar Real>
 void step_often(World<Real>& world, int steps, int iterations = 100) {
-  SequentialImpulse<Real> solver({.iterations = iterations});
-  for (int i = 0; i < steps; ++i) world.step(solver);
+  take_steps(world, steps, iterations);
 }
 
 /// What making a Joint of this spec between the ground and body 1 is refused with; empty if it is not.
 template <typename Joint>
 std::string refusal_of(const typename Joint::Spec& spec) {
-  try {
-    Joint joint(spec, two_at_origin);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return message_of([&] { Joint joint(spec, two_at_origin); });
 }
 
 }  // namespace cairn::testing

@@ -1,6 +1,4 @@
 // Limits and motors of hinges and slides: when they act, how hard, and what they refuse.
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/revolute_joint.hpp"
 #include "joint_worlds.hpp"
 
 using namespace cairn;

@@ -1,6 +1,5 @@
 // A slide along a line: what it lets go, what it holds, what it refuses.
-#include "../geometry/random_shapes.hpp"
-#include "constraints/prismatic_joint.hpp"
+#include "geometry/random_shapes.hpp"
 #include "joint_worlds.hpp"
 
 using namespace cairn;
@@ -27,8 +26,7 @@ TEST_CASE("a slide has no error anywhere on its line, which turns with its first
       poses[body] = {turn * start[body].position, start[body].angle + turned};
     }
     poses[{2}].position += turn * Vec2<double>(axis / 7) * along;
-    RowSpecs<double> rows;
-    slide.append_rows(poses, rows);
+    const RowSpecs<double> rows = rows_of(slide, poses);
     REQUIRE(rows.size() == 2);  // no limits, no motor: no rows for them
     const double tolerance = 64 * std::numeric_limits<double>::epsilon() * 10;  // [m] of numbers below 10 m
     for (const RowSpec<double>& row : rows) CHECK(std::abs(row.error) <= tolerance);

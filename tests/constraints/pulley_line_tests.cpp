@@ -1,5 +1,4 @@
 // Where a rope is slack, where it goes, and which ropes cannot be.
-#include "constraints/pulley_joint.hpp"
 #include "joint_worlds.hpp"
 #include "math/list.hpp"
 

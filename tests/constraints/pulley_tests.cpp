@@ -1,7 +1,5 @@
 // Ropes over rollers: one body held twice, a roller that hangs from a rope, and the agreement of solvers.
-#include "../solvers/solver_list.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
+#include "solvers/solver_list.hpp"
 #include "joint_worlds.hpp"
 
 using namespace cairn;

@@ -1,10 +1,7 @@
 // Rows written in place: what a joint states, and the law of (7), for every kind of joint and every pass.
-#include <doctest/doctest.h>
-
 #include "constraint_list.hpp"
-#include "constraints/friction_joint.hpp"
-#include "constraints/problem_rows.hpp"
 #include "constraints/springs.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -135,8 +132,7 @@ void check_joint(const Constraint& joint, const Stabilization& how, Stabilizatio
   old.softness = old.bias = 9;
   old.extra_count = old.first_extra = 9;
   problem.rows.assign(5, old);
-  RowSpecs<double> specs;
-  joint.append_rows(stage.begin.pose, specs);
+  const RowSpecs<double> specs = rows_of(joint, stage.begin.pose);
   List<SecondRow<double>> second_rows;
   int next = 3;
   const RowWriting<double> writing{

@@ -1,6 +1,6 @@
 // Springs and ropes: two ways to say how stiff, extremes, slack, and what is refused.
-#include "constraints/distance_joint.hpp"
 #include "joint_worlds.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -17,13 +17,7 @@ Scene hanging_bob(Kind kind, const std::optional<Softness>& softness, double str
                   double dt) {
   Scene scene({.gravity = {0, -gravity}, .dt = dt});
   const BodyId bob = scene.add(disc({0, -rest_length - stretch}, bob_mass));
-  scene.join<DistanceJoint>({.a = ground,
-                             .b = bob,
-                             .anchor_a = {0, 0},
-                             .anchor_b = {0, -rest_length - stretch},
-                             .length = rest_length,
-                             .kind = kind,
-                             .softness = softness});
+  samples::hang(scene, bob, {0, 0}, {.length = rest_length, .kind = kind, .softness = softness});
   return scene;
 }
 
@@ -62,13 +56,9 @@ TEST_CASE("a spring between two free bodies swings with its frequency, whatever 
   // Equal and opposite: the relative motion of the reduced mass is that of one mass on the spring.
   Scene scene({.gravity = {0, 0}});
   const BodyId a = scene.add(disc({0, 0}, 1)), b = scene.add(disc({rest_length + 0.25, 0}, 7));
-  scene.join<DistanceJoint>({.a = a,
-                             .b = b,
-                             .anchor_a = {0, 0},
-                             .anchor_b = {rest_length + 0.25, 0},
-                             .length = rest_length,
-                             .kind = Kind::spring,
-                             .softness = SwingSoftness{.frequency = 2}});
+  DistanceJoint::Spec spring = samples::spring(rest_length, SwingSoftness{.frequency = 2});
+  spring.a = a;
+  samples::hang(scene, b, {0, 0}, spring);
   World world(scene);
   HandSwing swing{.x = 0.25, .omega = 2 * pi * 2};
   for (int step = 0; step < 10; ++step) {

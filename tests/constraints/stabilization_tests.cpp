@@ -1,17 +1,8 @@
 // How fast errors go: the biases of rows, and what a world does with them.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "constraints/contact_rows.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/problem_rows.hpp"
-#include "geometry/shape.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -218,9 +209,7 @@ TEST_CASE("two overlapping bodies part until the slop is left, by a share beta i
                .warm_start = false});
   scene.add_ground();
   scene.add({.shapes = {circle(0.5)}, .position = {0, 0.5 - depth}, .mass = 1});
-  World world(scene);
-  SequentialImpulse<double> solver({.iterations = 1});
-  world.step(solver);
+  World<double> world = world_after(scene, 1, 1);
   const double left = depth - (world.bodies().pose[{1}].position.y() - (0.5 - depth));
   CHECK(left - slop == doctest::Approx((1 - beta) * (depth - slop)).epsilon(1e-12));
   CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(beta * (depth - slop) * 60).epsilon(1e-12));

@@ -1,20 +1,8 @@
 // Geometric stiffness, against the second derivatives of C, which are differences of its Jacobians.
-#include <doctest/doctest.h>
-
 #include <Eigen/Eigenvalues>
 #include <random>
-#include <string>
-#include <utility>
 
-#include "constraints/constraint.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/drag_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "math/list.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
@@ -45,8 +33,7 @@ double& freedom(Poses& poses, int k) {
 }
 
 RowForces<double> random_forces(const Constraint& joint, const Poses& poses, std::mt19937& random) {
-  RowSpecs<double> rows;
-  joint.append_rows(poses, rows);
+  const RowSpecs<double> rows = rows_of(joint, poses);
   RowForces<double> forces;
   for (const RowSpec<double>& row : rows) forces.rows.push_back({row.part, between(random, -50, 50)});
   return forces;
@@ -55,8 +42,7 @@ RowForces<double> random_forces(const Constraint& joint, const Poses& poses, std
 /// J^T lambda: the forces and moments on all joined_freedoms.
 Eigen::Matrix<double, joined_freedoms, 1> forces_on_bodies(const Constraint& joint, const Poses& poses,
                                                            const RowForces<double>& forces) {
-  RowSpecs<double> rows;
-  joint.append_rows(poses, rows);
+  const RowSpecs<double> rows = rows_of(joint, poses);
   Eigen::Matrix<double, joined_freedoms, 1> sum = Eigen::Matrix<double, joined_freedoms, 1>::Zero();
   const auto add = [&](BodyId body, const Vec3<double>& jacobian, double force) {
     if (body != ground) sum.segment<3>(3 * (body.index - 1)) += force * jacobian;
@@ -102,76 +88,74 @@ double least_eigenvalue(const Stiffness& matrix) {
   return Eigen::SelfAdjointEigenSolver<Stiffness>((matrix + matrix.transpose()) / 2).eigenvalues().minCoeff();
 }
 
-using Maker = std::shared_ptr<const Constraint> (*)(const Poses&, std::mt19937&);
+/// On a carrier: in so many parts over a roller, or none of them on a drum.
+PulleyJoint::Spec rope_over(std::mt19937& random, int parts) {
+  PulleyJoint::End end{.body = {2}, .anchor = point(random), .roller = point(random), .carrier = {1}};
+  if (parts == 0) {
+    end.kind = PulleyJoint::Roller::drum;
+    return {.ends = {end}};
+  }
+  end.parts = parts;
+  return {.ends = {end}, .kind = PulleyJoint::Kind::taut};
+}
 
-const std::initializer_list<std::pair<const char*, Maker>> bounded_kinds = {
-    {"rod",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       return std::make_shared<DistanceJoint>(
-           DistanceJoint::Spec{.a = {1}, .b = {2}, .anchor_a = point(random), .anchor_b = point(random)},
-           poses);
-     }},
-    {"rope to the ground",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       return std::make_shared<DistanceJoint>(DistanceJoint::Spec{.a = ground,
-                                                                  .b = {2},
-                                                                  .anchor_a = point(random),
-                                                                  .anchor_b = point(random),
-                                                                  .kind = DistanceJoint::Kind::rope},
-                                              poses);
-     }},
-    {"pin",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       return std::make_shared<RevoluteJoint>(
-           RevoluteJoint::Spec{.a = {1}, .b = {2}, .anchor = point(random), .lower = -1, .upper = 1}, poses);
-     }},
-    {"weld",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       return std::make_shared<WeldJoint>(WeldJoint::Spec{.a = {1}, .b = {2}, .anchor = point(random)},
-                                          poses);
-     }},
-    {"slide on the ground",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       return std::make_shared<PrismaticJoint>(
-           PrismaticJoint::Spec{
-               .a = ground, .b = {2}, .anchor = point(random), .axis = {0.6, 0.8}, .lower = -1, .upper = 1},
-           poses);
-     }},
-    {"hand",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       return std::make_shared<DragJoint>(
-           DragJoint::Spec{.body = {2}, .anchor = point(random), .target = point(random)}, poses);
-     }},
-    {"tackle on a carrier",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       const PulleyJoint::End end{
-           .body = {2}, .anchor = point(random), .roller = point(random), .parts = 3, .carrier = {1}};
-       return std::make_shared<PulleyJoint>(PulleyJoint::Spec{.ends = {end}, .kind = PulleyJoint::Kind::taut},
-                                            poses);
-     }},
-    {"rope on a drum",
-     [](const Poses& poses, std::mt19937& random) -> std::shared_ptr<const Constraint> {
-       const PulleyJoint::End end{.body = {2},
-                                  .anchor = point(random),
-                                  .roller = point(random),
-                                  .carrier = {1},
-                                  .kind = PulleyJoint::Roller::drum};
-       return std::make_shared<PulleyJoint>(PulleyJoint::Spec{.ends = {end}}, poses);
-     }},
+/// Makes joints of a kind at random places.
+struct BoundedKind {
+  std::string name = {};
+  std::function<std::shared_ptr<const Constraint>(const Poses&, std::mt19937&)> make = {};
 };
+
+template <typename Joint>
+BoundedKind kind(const std::string& name, typename Joint::Spec (*spec)(std::mt19937&)) {
+  return {name, [spec](const Poses& poses, std::mt19937& random) {
+            return std::make_shared<const Joint>(spec(random), poses);
+          }};
+}
+
+using Random = std::mt19937;
+
+const List<BoundedKind> bounded_kinds = {
+    kind<DistanceJoint>("rod",
+                        [](Random& random) -> DistanceJoint::Spec {
+                          return {.a = {1}, .b = {2}, .anchor_a = point(random), .anchor_b = point(random)};
+                        }),
+    kind<DistanceJoint>("rope to the ground",
+                        [](Random& random) -> DistanceJoint::Spec {
+                          return {.b = {2},
+                                  .anchor_a = point(random),
+                                  .anchor_b = point(random),
+                                  .kind = DistanceJoint::Kind::rope};
+                        }),
+    kind<RevoluteJoint>("pin",
+                        [](Random& random) -> RevoluteJoint::Spec {
+                          return {.a = {1}, .b = {2}, .anchor = point(random), .lower = -1, .upper = 1};
+                        }),
+    kind<WeldJoint>(
+        "weld",
+        [](Random& random) -> WeldJoint::Spec { return {.a = {1}, .b = {2}, .anchor = point(random)}; }),
+    kind<PrismaticJoint>(
+        "slide on the ground",
+        [](Random& random) -> PrismaticJoint::Spec {
+          return {.b = {2}, .anchor = point(random), .axis = {0.6, 0.8}, .lower = -1, .upper = 1};
+        }),
+    kind<DragJoint>("hand",
+                    [](Random& random) -> DragJoint::Spec {
+                      return {.body = {2}, .anchor = point(random), .target = point(random)};
+                    }),
+    kind<PulleyJoint>("tackle on a carrier", [](Random& random) { return rope_over(random, 3); }),
+    kind<PulleyJoint>("rope on a drum", [](Random& random) { return rope_over(random, 0); })};
 
 }  // namespace
 
 TEST_CASE(
     "the geometric stiffness that a joint states bounds the second derivatives of its C from both sides") {
   std::mt19937 random(7);
-  for (const auto& kind : bounded_kinds) {
-    const auto& make = kind.second;
-    CAPTURE(std::string(kind.first));
+  for (const BoundedKind& kind : bounded_kinds) {
+    CAPTURE(kind.name);
     for (int i = 0; i < 200; ++i) {
       CAPTURE(i);
       const Poses poses = random_poses(random);
-      const auto joint = make(poses, random);
+      const auto joint = kind.make(poses, random);
       const List<Attachment> ends = joint->attachments();
       const auto place = [&](const Attachment& end) {
         const Pose<double>& pose = poses[end.body];

@@ -1,6 +1,5 @@
 // Two bodies as one: where a weld holds, what it carries, what it refuses.
-#include "../geometry/random_shapes.hpp"
-#include "constraints/weld_joint.hpp"
+#include "geometry/random_shapes.hpp"
 #include "joint_worlds.hpp"
 
 using namespace cairn;
@@ -12,8 +11,7 @@ TEST_CASE("a weld has no error where it was made, however its bodies stand, and 
     PerBody<Pose<double>> poses = {
         {}, {random.point(3), random.uniform(-9, 9)}, {random.point(3), random.uniform(-9, 9)}};
     const WeldJoint weld({.a = {1}, .b = {2}, .anchor = random.point(3)}, poses);
-    RowSpecs<double> rows;
-    weld.append_rows(poses, rows);
+    RowSpecs<double> rows = rows_of(weld, poses);
     REQUIRE(rows.size() == 3);
     const double tolerance = 64 * std::numeric_limits<double>::epsilon() * 10;  // of numbers below 10
     for (const RowSpec<double>& row : rows) CHECK(std::abs(row.error) <= tolerance);
@@ -25,8 +23,7 @@ TEST_CASE("a weld has no error where it was made, however its bodies stand, and 
     poses[{2}].position =
         anchor + Rotation<double>(turned) * Vec2<double>(poses[{2}].position - anchor) + moved;
     poses[{2}].angle += turned;
-    rows.clear();
-    weld.append_rows(poses, rows);
+    rows = rows_of(weld, poses);
     CHECK(std::abs(rows[0].error - moved.x()) <= tolerance);
     CHECK(std::abs(rows[1].error - moved.y()) <= tolerance);
     CHECK(std::abs(rows[2].error - turned) <= 4 * tolerance);  // of numbers below 40

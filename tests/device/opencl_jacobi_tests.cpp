@@ -4,7 +4,6 @@
 #include <random>
 
 #include "../validation/problems.hpp"
-#include "solvers/residual.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

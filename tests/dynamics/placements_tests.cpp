@@ -1,9 +1,5 @@
 // Sines that are kept are those that would be computed anew.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "dynamics/placements.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

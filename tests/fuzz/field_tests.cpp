@@ -1,24 +1,9 @@
 // Every number of every type that a scene is made of: NaN, infinities and what is out of range are refused
 // with the name of the field and the value.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/drag_joint.hpp"
-#include "constraints/friction_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
 #include "study/frozen/frozen_problem.hpp"
 #include "math/check.hpp"
-#include "math/list.hpp"
 #include "scenes/solver_list.hpp"
-#include "world/scene.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
@@ -34,15 +19,6 @@ struct NumberField {
   List<double> bad = {field_infinity, -field_infinity};
 };
 
-std::string refusal_of(const NumberField& field, double value) {
-  try {
-    field.use(value);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 void check_fields(const List<NumberField>& fields) {
   for (const NumberField& field : fields) {
     List<double> values = field.bad;
@@ -50,7 +26,7 @@ void check_fields(const List<NumberField>& fields) {
     for (const double value : values) {
       CAPTURE(field.name);
       CAPTURE(value);
-      const std::string message = refusal_of(field, value);
+      const std::string message = testing::message_of([&] { field.use(value); });
       CHECK(message.find(field.name + " must be ") != std::string::npos);
       CHECK(message.find(shortest(value), message.find(", got ")) != std::string::npos);
     }

@@ -3,15 +3,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "constraints/differential_joint.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/friction_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "math/list.hpp"
+#include "cairn.hpp"
 
 namespace cairn::fuzz {
 

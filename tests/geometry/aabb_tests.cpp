@@ -1,10 +1,6 @@
 // Bounding boxes against the farthest points of the shapes.
-#include <doctest/doctest.h>
-
-#include <limits>
-
-#include "geometry/aabb.hpp"
 #include "random_shapes.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

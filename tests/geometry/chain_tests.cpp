@@ -1,25 +1,11 @@
 // Making chains: what is refused, with which words, and how they go on at their ends.
-#include <doctest/doctest.h>
-
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <string>
-
-#include "geometry/aabb.hpp"
-#include "geometry/mass.hpp"
-#include "geometry/shape.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {
 
 std::string chain_refusal(const List<Vec2<double>>& points, const ChainEnds& ends = {}) {
-  try {
-    chain(points, ends);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return testing::message_of([&] { chain(points, ends); });
 }
 
 }  // namespace

@@ -1,13 +1,6 @@
 // Mass properties against closed forms, and against an integral over the boundary.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <limits>
-
-#include "geometry/aabb.hpp"
-#include "geometry/mass.hpp"
-#include "math/list.hpp"
 #include "random_shapes.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {

@@ -1,15 +1,9 @@
 // Sine, cosine, arcs and lengths of our own, against the C library's in long double, which has 11 bits more
 // where these tests run: their own errors are below 0.001 units in the last place of a double.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 #include <random>
 
-#include "math/math.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

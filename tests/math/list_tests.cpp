@@ -1,12 +1,7 @@
 // Arrays by number, by row and by body: what indexes them, and what does not.
-#include "math/list.hpp"
-
-#include <doctest/doctest.h>
-
 #include <concepts>
-#include <vector>
 
-#include "constraints/row.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

@@ -1,14 +1,9 @@
 // CSV that reads back as it was written.
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <sstream>
 
-#include "../geometry/random_shapes.hpp"
-#include "math/list.hpp"
-#include "measure/csv.hpp"
+#include "geometry/random_shapes.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

@@ -1,12 +1,5 @@
 // What gains and losses of energy are held against.
-#include "measure/energy_account.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "constraints/revolute_joint.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

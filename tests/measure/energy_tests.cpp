@@ -1,10 +1,6 @@
 // Energy and momentum: of states written by hand, and of worlds that must keep them.
-#include <doctest/doctest.h>
-
-#include "../geometry/random_shapes.hpp"
-#include "measure/energy.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "geometry/random_shapes.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

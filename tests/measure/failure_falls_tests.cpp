@@ -1,10 +1,5 @@
 // What falls, and has nothing to land on.
-#include <doctest/doctest.h>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "measure/failure.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

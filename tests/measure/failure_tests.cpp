@@ -1,16 +1,12 @@
 // What no scene should show: seen where it happens, and nowhere else.
-#include "measure/failure.hpp"
-
-#include <doctest/doctest.h>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
 namespace {
+
+using samples::spring;
 
 /// Of a run of `seconds` at 60 Hz.
 List<Failure> failures_of(const Scene& scene, double seconds, int sweeps) {
@@ -39,12 +35,7 @@ Scene heavy_on_light(double mass) {
 /// Nothing takes back what ten sweeps leave open.
 Scene level_chain(int links) {
   Scene scene({.stabilization = {.policy = StabilizationPolicy::none}});
-  BodyId last = ground;
-  for (int i = 0; i < links; ++i) {
-    const BodyId link = scene.add({.shapes = {box(0.5, 0.2)}, .position = {0.25 + 0.5 * i, 0}});
-    scene.join<RevoluteJoint>({.a = last, .b = link, .anchor = {0.5 * i, 0}});
-    last = link;
-  }
+  samples::add_chain(scene, links, {.shapes = {box(0.5, 0.2)}, .position = {0.25, 0}}, {0.5, 0});
   return scene;
 }
 
@@ -221,11 +212,7 @@ TEST_CASE(
   switched.add({.time = 0.5, .action = SwitchMotor{{0}, JointMotor{.speed = 2, .max_force = 1}}});
   CHECK(is_driven(switched));
   Scene on_spring = pinned({}, BodyType::dynamic, 0);
-  on_spring.join<DistanceJoint>({.a = ground,
-                                 .b = {1},
-                                 .anchor_b = {0, 1},
-                                 .kind = DistanceJoint::Kind::spring,
-                                 .softness = SwingSoftness{.frequency = 1}});
+  samples::hang(on_spring, {1}, {0, 1}, spring(-1, SwingSoftness{.frequency = 1}));
   CHECK_FALSE(is_driven(on_spring));
 }
 

@@ -1,11 +1,8 @@
 // FNV-1a against the vectors its authors publish, and what of a state it sees.
-#include <doctest/doctest.h>
-
 #include <bit>
-#include <string>
 
-#include "math/list.hpp"
 #include "measure/fingerprint.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

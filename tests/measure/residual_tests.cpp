@@ -1,6 +1,5 @@
 // The residual of problems whose answer can be written down.
 #include "../validation/problems.hpp"
-#include "solvers/residual.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -1,17 +1,6 @@
 // Springs give back what they held: swings against their closed forms, and the energy that is counted.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/drag_joint.hpp"
-#include "constraints/joint_rows.hpp"
-#include "measure/energy.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
@@ -25,12 +14,7 @@ Scene bob_under(const Softness& softness, const SceneSettings& settings) {
   Scene scene(settings);
   const BodyId bob =
       scene.add({.shapes = {circle(0.1)}, .position = {0, -2.25}, .mass = 3, .fixed_rotation = true});
-  scene.join<DistanceJoint>({.a = ground,
-                             .b = bob,
-                             .anchor_b = {0, -2.25},
-                             .length = 2,
-                             .kind = DistanceJoint::Kind::spring,
-                             .softness = softness});
+  samples::hang(scene, bob, {0, 0}, samples::spring(2, softness));
   return scene;
 }
 
@@ -102,12 +86,9 @@ TEST_CASE("two masses on one spring, and a torsion spring, keep kinetic energy a
       displace(scene, a, {0, 0}, 0.5);
     } else {
       const BodyId b = scene.add({.shapes = {circle(0.1)}, .position = {1.5, 0}, .mass = 7});
-      scene.join<DistanceJoint>({.a = a,
-                                 .b = b,
-                                 .anchor_b = {1.5, 0},
-                                 .length = 1,
-                                 .kind = DistanceJoint::Kind::spring,
-                                 .softness = softness});
+      DistanceJoint::Spec spring = samples::spring(1, softness);
+      spring.a = a;
+      samples::hang(scene, b, {0, 0}, spring);
     }
     World world(scene);
     const double mass = twists ? 2 : 7.0 / 8;  // [kg m^2], [kg]: reduced
@@ -193,12 +174,7 @@ TEST_CASE("a slack rubber rope holds nothing, a taut one k C^2 / 2, and a hand w
       scene.join<DragJoint>(
           {.body = bob, .anchor = {0, -place}, .target = {0, 0}, .softness = rubber, .max_force = *most});
     else
-      scene.join<DistanceJoint>({.a = ground,
-                                 .b = bob,
-                                 .anchor_b = {0, -place},
-                                 .length = 5,
-                                 .kind = DistanceJoint::Kind::rope,
-                                 .softness = rubber});
+      samples::hang(scene, bob, {0, 0}, samples::rope(5, rubber));
     return snapshot(World<double>(scene)).joints[0].energy;
   };
   CHECK(energy_at(4.8, {}) == 0);
@@ -211,12 +187,7 @@ TEST_CASE("a slack rubber rope holds nothing, a taut one k C^2 / 2, and a hand w
 TEST_CASE("a jump on a rubber rope comes back up to where it began, again and again") {
   Scene scene({.substeps = 4});
   const BodyId bob = scene.add({.shapes = {circle(0.1)}, .position = {0, -1}, .mass = 70});
-  scene.join<DistanceJoint>({.a = ground,
-                             .b = bob,
-                             .anchor_b = {0, -1},
-                             .length = 5,
-                             .kind = DistanceJoint::Kind::rope,
-                             .softness = SpringSoftness{.stiffness = 300}});
+  samples::hang(scene, bob, {0, 0}, samples::rope(5, SpringSoftness{.stiffness = 300}));
   World world(scene);
   range_of(world, 20, [] { return 0.0; });
   const Range height = range_of(world, 10, [&] { return world.bodies().pose[{1}].position.y(); });

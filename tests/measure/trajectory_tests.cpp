@@ -1,14 +1,5 @@
 // Measures of runs that are written by hand, and of worlds whose invariants are known.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "measure/trajectory.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

@@ -1,6 +1,5 @@
 // Errors of answers to problems whose truth can be written down.
 #include "../validation/problems.hpp"
-#include "measure/truth.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -1,16 +1,8 @@
 // Penetration, drift, cones and gaps of states written by hand, where the answer is known.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "math/list.hpp"
-#include "measure/violation.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -84,8 +76,7 @@ TEST_CASE("the drift of a rod is its stretch, that of a pin the distance of its 
   CHECK(worst_joint_drift(snapshot(world)) == doctest::Approx(0.25).epsilon(4 * overlap_rounding));
   // Without stabilization, and without a single sweep, the pin is left behind at (3, 4) m/s for one step.
   world.set_velocity(bar, {3, 4, 0});
-  SequentialImpulse<double> idle({.iterations = 0});
-  world.step(idle);
+  take_steps(world, 1, 0);
   const Snapshot moved = snapshot(world);
   CHECK(moved.joints[1].drift == doctest::Approx(5.0 / 60).epsilon(1e-13));
   CHECK(worst_joint_drift(moved) == doctest::Approx(0.25).epsilon(4 * overlap_rounding));

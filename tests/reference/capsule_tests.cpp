@@ -1,9 +1,6 @@
 // Capsules and filters in two engines: where they rest, which way they push, and who meets whom.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "engines.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 

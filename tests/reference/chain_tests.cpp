@@ -1,10 +1,6 @@
 // Chains in two engines: the same side, and the same smooth corners.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <stdexcept>
-
 #include "engines.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 

@@ -1,12 +1,6 @@
 // Events of a scene in Box2D: held against Cairn, and against formulas.
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
 #include "reference/box2d_world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

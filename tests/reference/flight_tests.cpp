@@ -1,7 +1,6 @@
 // Free fall, bounces and damping: what needs no solver, or hardly one.
-#include <doctest/doctest.h>
-
 #include "engines.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 

@@ -1,23 +1,13 @@
 // What Box2D 2.4.1 does not have is refused, in words.
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-#include <string>
-
 #include "engines.hpp"
-#include "math/list.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 
 namespace {
 
 std::string refusal(const Scene& scene, const Box2DSettings& settings = {}) {
-  try {
-    const Box2DWorld world(scene, settings);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return testing::message_of([&] { const Box2DWorld world(scene, settings); });
 }
 
 Scene scene_with(const Shape<double>& shape) {

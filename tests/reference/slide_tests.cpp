@@ -1,9 +1,6 @@
 // Friction in two engines against Coulomb's formulas. Where they differ, Box2D's skin says by how much.
-#include <doctest/doctest.h>
-
-#include <functional>
-
 #include "engines.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 

@@ -1,7 +1,6 @@
 // Both engines tell what they did in the same words: masses, contacts, impulses, joints.
-#include <doctest/doctest.h>
-
 #include "engines.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 

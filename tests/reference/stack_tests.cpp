@@ -1,11 +1,6 @@
 // Stacks that stand for ten seconds in both engines, awake.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <utility>
-
 #include "engines.hpp"
-#include "math/list.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 

@@ -1,10 +1,6 @@
 // The two engines' solvers, sweep for sweep: the loads inside a tower that has not converged yet.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "engines.hpp"
-#include "math/list.hpp"
+#include "testing.hpp"
 
 namespace cairn::reference_tests {
 

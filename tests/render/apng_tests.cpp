@@ -1,11 +1,6 @@
 // Animated PNG, read back by a reader of the test's own: every frame as it was given, and only what changed.
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <string>
-
-#include "math/list.hpp"
-#include "picture_files.hpp"
+#include "render/picture_files.hpp"
+#include "render/pictures.hpp"
 #include "render/sequence.hpp"
 
 using namespace cairn;

@@ -1,14 +1,6 @@
 // Arrows are as long as their quantity, and say so when they are not.
 #include "render/arrow.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "images/golden.hpp"
-#include "math/list.hpp"
+#include "render/pictures.hpp"
 
 namespace cairn::render {
 
@@ -17,11 +9,7 @@ namespace {
 Camera arrow_test_camera() { return {.viewport = {0, 0, 640, 360}, .center = {0, 0}, .scale = 100}; }
 
 bool arrow_test_inked(const Image& image, int x, int y, Color background) {
-  const int at = 3 * (y * image.width + x);
-  const double change = std::abs(image.pixels[at] - 255 * background.r) +
-                        std::abs(image.pixels[at + 1] - 255 * background.g) +
-                        std::abs(image.pixels[at + 2] - 255 * background.b);
-  return change > 40;
+  return sum_off(image, x, y, background) > 40;
 }
 
 /// What of row `y` is inked: first and last column, and how many.
@@ -60,17 +48,20 @@ Image arrow_picture(ArrowKind kind, double value, const ArrowScale& scale) {
 
 constexpr int arrow_test_row = 180;  // the tail lies in the middle of this row of pixels
 
+ArrowTestRun run_of_arrow(ArrowKind kind, double value, const ArrowScale& scale) {
+  return arrow_test_run(arrow_picture(kind, value, scale), arrow_test_row, light_theme().background);
+}
+
 }  // namespace
 
 TEST_CASE("an arrow is as long as its value times the scale") {
   const ArrowScale scale = {.pixels_per_unit = 8, .longest = 300, .unit = "N"};
-  const Color background = light_theme().background;
   for (const ArrowKind kind : {ArrowKind::normal, ArrowKind::friction, ArrowKind::velocity, ArrowKind::joint,
                                ArrowKind::negative_correction, ArrowKind::external, ArrowKind::inactive}) {
     for (const double value : {4.0, 12.5, 30.0}) {
       CAPTURE(static_cast<int>(kind));
       CAPTURE(value);
-      const ArrowTestRun run = arrow_test_run(arrow_picture(kind, value, scale), arrow_test_row, background);
+      const ArrowTestRun run = run_of_arrow(kind, value, scale);
       // The tip is a point: its last pixel may be too pale to count.
       CHECK(std::abs(run.last + 1 - (320 + 8 * value)) <= 2);
     }
@@ -79,13 +70,10 @@ TEST_CASE("an arrow is as long as its value times the scale") {
 
 TEST_CASE("a solid arrow is inked from its tail to its tip, a dashed one is not") {
   const ArrowScale scale = {.pixels_per_unit = 8, .longest = 300, .unit = "N"};
-  const Color background = light_theme().background;
-  const ArrowTestRun solid =
-      arrow_test_run(arrow_picture(ArrowKind::normal, 20, scale), arrow_test_row, background);
+  const ArrowTestRun solid = run_of_arrow(ArrowKind::normal, 20, scale);
   CHECK(solid.first == 320);
   CHECK(solid.count == solid.last - solid.first + 1);
-  const ArrowTestRun dashed =
-      arrow_test_run(arrow_picture(ArrowKind::external, 20, scale), arrow_test_row, background);
+  const ArrowTestRun dashed = run_of_arrow(ArrowKind::external, 20, scale);
   CHECK(dashed.count < 0.85 * (dashed.last - dashed.first + 1));
 }
 
@@ -105,8 +93,7 @@ TEST_CASE("an arrow shorter than 8 px is a dot of 3 px") {
 TEST_CASE("an arrow above the longest is cut there, with a gap in its shaft and its number") {
   const ArrowScale scale = {.pixels_per_unit = 10, .longest = 150, .unit = "N"};
   const Color background = light_theme().background;
-  const ArrowTestRun whole =
-      arrow_test_run(arrow_picture(ArrowKind::normal, 15, scale), arrow_test_row, background);
+  const ArrowTestRun whole = run_of_arrow(ArrowKind::normal, 15, scale);
   CHECK(whole.count == whole.last - whole.first + 1);
   Page page(640, 360, light_theme());
   draw_arrow(page, arrow_test_camera(), scale, {.tail = {0, -0.005}, .value = {40, 0}});

@@ -1,40 +1,18 @@
 // Bars as pictures: their lengths in pixels, read back.
 #include "render/bars.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "images/golden.hpp"
-#include "render/lint.hpp"
+#include "render/pictures.hpp"
 
 namespace cairn::render {
 
 namespace {
 
-struct BarPicture {
-  Image image = {};
-  List<TextBox> boxes = {};
-  List<std::string> faults = {};
-};
-
-BarPicture bars_of(const BarChart& chart, const Theme& theme = light_theme(),
-                   const Rect& room = {0, 0, 640, 360}) {
-  Page page(640, 360, theme);
-  page.canvas().clear(page.theme().background);
-  draw_bars(page, room, chart);
-  const Span<const TextBox> boxes = page.canvas().text_boxes();
-  return {.image = page.canvas().read(), .boxes = {boxes.begin(), boxes.end()}, .faults = lint(page)};
+PagePicture bars_of(const BarChart& chart, const Theme& theme = light_theme(),
+                    const Rect& room = {0, 0, 640, 360}) {
+  return picture_of_page(theme, [&](Page& page) { draw_bars(page, room, chart); });
 }
 
 bool bar_pixel_is(const Image& image, int x, int y, Color color) {
-  const int at = 3 * (y * image.width + x);
-  const auto close = [&](int i, float channel) {
-    return std::abs(static_cast<float>(image.pixels.at(at + i)) - 255 * channel) <= 1.5F;
-  };
-  return close(0, color.r) && close(1, color.g) && close(2, color.b);
+  return worst_off(image, x, y, color) <= 1.5;
 }
 
 // Without names and title of text, row `row` of `rows` has its middle here.
@@ -62,11 +40,6 @@ Run run_of(const Image& image, int y, Color color) {
 
 Run grey_run(const Image& image, int row, int rows) {
   return run_of(image, middle_row(row, rows), light_theme().inactive);
-}
-
-bool says(const BarPicture& picture, const std::string& text) {
-  return std::any_of(picture.boxes.begin(), picture.boxes.end(),
-                     [&](const TextBox& box) { return box.text == text; });
 }
 
 BarChart worked_chart() {
@@ -132,8 +105,8 @@ TEST_CASE("what is taken back is drawn from the end of the grey part, and grey i
   BarChart chart = {.largest = 40};
   chart.bars = {{.before = 10}, {.before = 25, .added = -15, .active = true}, {.before = 25}};
   const Theme theme = light_theme();
-  const BarPicture picture = bars_of(chart);
-  CHECK(says(picture, "−15.00"));
+  const PagePicture picture = bars_of(chart);
+  CHECK(is_written(picture, "−15.00"));
   const int ten = grey_run(picture.image, 0, 3).end;
   const int twenty_five = grey_run(picture.image, 2, 3).end;
   CHECK(std::abs(grey_run(picture.image, 1, 3).end - ten) <= 1);
@@ -186,11 +159,11 @@ TEST_CASE("new and old parts differ without hues, by outline and hatch") {
 TEST_CASE("the tick stands at the exact value") {
   BarChart chart = {.largest = 40};
   chart.bars = {{.before = 25}, {.before = 5, .exact = 25}};
-  const BarPicture picture = bars_of({.bars = {{.before = 25}, {.before = 5}}, .largest = 40});
-  const BarPicture ticked = bars_of(chart);
-  CHECK_FALSE(says(picture, "exact"));
-  CHECK(says(ticked, "exact"));
-  CHECK(says(ticked, "25"));
+  const PagePicture picture = bars_of({.bars = {{.before = 25}, {.before = 5}}, .largest = 40});
+  const PagePicture ticked = bars_of(chart);
+  CHECK_FALSE(is_written(picture, "exact"));
+  CHECK(is_written(ticked, "exact"));
+  CHECK(is_written(ticked, "25"));
   // Below the key the tick is the first ink from the left; both bars end where it stands.
   int tick = 640;
   int end = 0;
@@ -205,17 +178,17 @@ TEST_CASE("the tick stands at the exact value") {
 TEST_CASE("exact values share the decimals that the least round of them needs") {
   BarChart chart = {.largest = 40};
   chart.bars = {{.exact = 30}, {.exact = 12.5}, {.exact = 20.001}};
-  const BarPicture picture = bars_of(chart);
-  for (const char* number : {"30.0", "12.5", "20.0"}) CHECK(says(picture, number));
+  const PagePicture picture = bars_of(chart);
+  for (const char* number : {"30.0", "12.5", "20.0"}) CHECK(is_written(picture, number));
 }
 
 TEST_CASE("a bar beyond the range is cut, marked and has its value beside it") {
   const Theme theme = light_theme();
-  const BarPicture full = bars_of({.bars = {{.before = 40}, {.before = 57}}, .largest = 57});
-  const BarPicture cut = bars_of({.bars = {{.before = 40}, {.before = 57}}, .largest = 40});
-  CHECK_FALSE(says(full, "57.00"));
-  CHECK(says(cut, "57.00"));
-  CHECK_FALSE(says(cut, "40.00"));
+  const PagePicture full = bars_of({.bars = {{.before = 40}, {.before = 57}}, .largest = 57});
+  const PagePicture cut = bars_of({.bars = {{.before = 40}, {.before = 57}}, .largest = 40});
+  CHECK_FALSE(is_written(full, "57.00"));
+  CHECK(is_written(cut, "57.00"));
+  CHECK_FALSE(is_written(cut, "40.00"));
   CHECK(grey_run(cut.image, 0, 2).end == grey_run(cut.image, 1, 2).end);
   const auto gap_in = [&](int row) {
     const Run grey = grey_run(cut.image, row, 2);
@@ -228,7 +201,7 @@ TEST_CASE("a bar beyond the range is cut, marked and has its value beside it") {
 }
 
 TEST_CASE("an exact value beyond the range is written with an arrow instead of a tick") {
-  CHECK(says(bars_of({.bars = {{.before = 10, .exact = 90}}, .largest = 40}), "| 90 →"));
+  CHECK(is_written(bars_of({.bars = {{.before = 10, .exact = 90}}, .largest = 40}), "| 90 →"));
 }
 
 TEST_CASE("bars that are no numbers say so and leave the others alone") {
@@ -237,8 +210,8 @@ TEST_CASE("bars that are no numbers say so and leave the others alone") {
   BarChart chart = {.largest = 40};
   chart.bars = {
       {.before = 10}, {.before = nan, .added = 3, .exact = infinity, .active = true}, {.before = 30}};
-  const BarPicture broken = bars_of(chart);
-  CHECK(says(broken, "not a number"));
+  const PagePicture broken = bars_of(chart);
+  CHECK(is_written(broken, "not a number"));
   CHECK(broken.faults.empty());
   CHECK(grey_run(broken.image, 1, 3).end == 0);
   const Run ten = grey_run(broken.image, 0, 3);
@@ -255,17 +228,17 @@ TEST_CASE("the active row says what it gives now, however many rows there are") 
     for (const Rect& room : {Rect{10, 36, 305, 140}, Rect{10, 36, 305, 300}, Rect{0, 0, 640, 360}}) {
       CAPTURE(count);
       CAPTURE(room.height);
-      const BarPicture picture = bars_of(crowded_chart(count), light_theme(), room);
-      CHECK(says(picture, "+1.05"));
-      CHECK(says(picture, "row 8"));
+      const PagePicture picture = bars_of(crowded_chart(count), light_theme(), room);
+      CHECK(is_written(picture, "+1.05"));
+      CHECK(is_written(picture, "row 8"));
       for (const std::string& fault : picture.faults) FAIL_CHECK(fault);
     }
   }
 }
 
 TEST_CASE("twelve rows that have room are all named") {
-  const BarPicture picture = bars_of(crowded_chart(12), light_theme(), {10, 36, 305, 300});
-  for (int i = 1; i <= 12; ++i) CHECK(says(picture, "row " + std::to_string(i)));
+  const PagePicture picture = bars_of(crowded_chart(12), light_theme(), {10, 36, 305, 300});
+  for (int i = 1; i <= 12; ++i) CHECK(is_written(picture, "row " + std::to_string(i)));
 }
 
 TEST_CASE("bars have a sound layout in every theme") {

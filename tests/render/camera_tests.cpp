@@ -1,9 +1,6 @@
 // From metres to pixels and back.
 #include "render/camera.hpp"
-
-#include <doctest/doctest.h>
-
-#include <limits>
+#include "render/pictures.hpp"
 
 namespace cairn::render {
 

@@ -1,11 +1,5 @@
 // Shapes: what part of every pixel they cover, held against areas from formulas.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "math/list.hpp"
-#include "render/canvas.hpp"
-#include "ink.hpp"
+#include "render/ink.hpp"
 
 using namespace cairn;
 using namespace cairn::render;

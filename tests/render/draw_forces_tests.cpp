@@ -1,8 +1,4 @@
 // Forces and velocities of a drawn world: direction, length, labels.
-#include <doctest/doctest.h>
-
-#include "math/list.hpp"
-#include "render/lint.hpp"
 #include "render/world_picture.hpp"
 
 using namespace cairn;
@@ -11,8 +7,7 @@ using namespace cairn::test;
 TEST_CASE(
     "forces act on body b: the normal force along the normal, friction along the normal turned by -90 "
     "degrees") {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(circle(0.3), {0, 3}));
+  Snapshot world = with_ground({dynamic_body(circle(0.3), {0, 3})});
   world.contacts.push_back({.a = ground,
                             .b = {1},
                             .position = {0, 0},
@@ -37,8 +32,7 @@ TEST_CASE("on a large page a force is labelled with its symbol and unit, among m
   for (const int count : {1, 13}) {
     Page page(1280, 720, light_theme());
     page.begin({.title = "World"});
-    Snapshot world = with_ground();
-    world.bodies.push_back(dynamic_body(box(1, 1), {0, 5}));
+    Snapshot world = with_ground({dynamic_body(box(1, 1), {0, 5})});
     for (int i = 0; i < count; ++i) {
       world.contacts.push_back(
           {.b = {1}, .position = {i - 6.0, 0}, .normal = {0, 1}, .normal_impulse = 0.1732});
@@ -52,8 +46,7 @@ TEST_CASE("on a large page a force is labelled with its symbol and unit, among m
 }
 
 TEST_CASE("a force passes behind the number of a body") {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(circle(1), {0, -1}));
+  Snapshot world = with_ground({dynamic_body(circle(1), {0, -1})});
   WorldPage page;
   draw_world(page, world_camera, world);
   REQUIRE(page.canvas().text_boxes().size() > 1);

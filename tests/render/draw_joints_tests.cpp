@@ -10,9 +10,7 @@ using namespace cairn::test;
 
 /// Two discs on a rope over two rollers.
 Snapshot rope_over_rollers() {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(circle(0.4), {-2, -1}));
-  world.bodies.push_back(dynamic_body(circle(0.4), {2, 0}));
+  Snapshot world = with_ground({dynamic_body(circle(0.4), {-2, -1}), dynamic_body(circle(0.4), {2, 0})});
   world.joints.push_back({.traits = {.is_line = true},
                           .a = {1},
                           .b = {2},

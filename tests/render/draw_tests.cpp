@@ -1,13 +1,4 @@
 // A drawn world: bodies where the camera says, what is lit, marked or left out, and blow-ups.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <utility>
-
-#include "images/golden.hpp"
-#include "math/list.hpp"
-#include "render/lint.hpp"
 #include "render/world_picture.hpp"
 
 namespace {
@@ -55,8 +46,7 @@ Snapshot sample_world() {
 }  // namespace
 
 TEST_CASE("a body is painted where the camera sees it, with its outline on its edge") {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(box(2, 1), {3, 1}));
+  Snapshot world = with_ground({dynamic_body(box(2, 1), {3, 1})});
   const Theme theme = light_theme();
   const Image image = picture_of_world(world, {.numbers = false});
   CHECK(distance_at(image, {3, 1}, theme.body, 0, 0) <= 2);
@@ -68,8 +58,7 @@ TEST_CASE("a body is painted where the camera sees it, with its outline on its e
 }
 
 TEST_CASE("a body that sleeps is pale, with a grey outline, and in its lit colour where it is lit") {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(box(2, 1), {3, 1}));
+  Snapshot world = with_ground({dynamic_body(box(2, 1), {3, 1})});
   world.bodies[{1}].awake = false;
   const Theme theme = light_theme();
   const Image asleep = picture_of_world(world, {.numbers = false});
@@ -177,8 +166,7 @@ TEST_CASE("a body that blew up disturbs nothing else in the picture") {
 TEST_CASE("at most 7 ghosts are drawn, the first and the newest among them, the older the paler") {
   List<Snapshot> past;
   for (int i = 0; i < 25; ++i) {
-    Snapshot world = with_ground();
-    world.bodies.push_back(dynamic_body(circle(0.2), {0.5 * i - 6, 1}));
+    Snapshot world = with_ground({dynamic_body(circle(0.2), {0.5 * i - 6, 1})});
     past.push_back(world);
   }
   WorldPage page;
@@ -212,8 +200,7 @@ TEST_CASE("a new contact is larger than an old one, and the active one is lit") 
 
 TEST_CASE("an overlap of more than 2 px is marked and measured in mm") {
   for (const double depth : {0.02, 0.2}) {  // 0.8 px and 8 px
-    Snapshot world = with_ground();
-    world.bodies.push_back(dynamic_body(box(2, 2), {0, -1 - depth}));
+    Snapshot world = with_ground({dynamic_body(box(2, 2), {0, -1 - depth})});
     for (const double x : {-1.0, 1.0}) {
       world.contacts.push_back(
           {.a = ground, .b = {1}, .position = {x, -2 - depth / 2}, .normal = {0, 1}, .separation = -depth});

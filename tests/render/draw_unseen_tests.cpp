@@ -1,12 +1,4 @@
 // Worlds at the extremes: exploded, nowhere, far away, tiny, huge, and crowded.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "math/list.hpp"
-#include "render/image.hpp"
-#include "render/lint.hpp"
 #include "render/world_picture.hpp"
 
 namespace {
@@ -35,8 +27,7 @@ int count_within(const Image& image, const Rect& rect, const Color& color) {
 
 /// A box in the middle, and others that have flown off in all directions.
 Snapshot exploded(int flown, double distance) {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(box(1, 1), {0, 0}));
+  Snapshot world = with_ground({dynamic_body(box(1, 1), {0, 0})});
   for (int i = 0; i < flown; ++i) {
     const double angle = 2 * pi * i / flown;
     world.bodies.push_back(
@@ -76,8 +67,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a body with a name is announced by it, whatever is in the name") {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(box(1, 1), {500, 0}));
+  Snapshot world = with_ground({dynamic_body(box(1, 1), {500, 0})});
   WorldPage page;
   draw_unseen(page, world_camera, world, {.numbers = false, .names = {"ground", "left_ball"}});
   CHECK(is_written(page, "left\\_ball, 500 m away"));
@@ -98,8 +88,7 @@ TEST_CASE("bodies without a finite pose are not drawn, and named in a note") {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const Pose<double>& pose :
        {Pose<double>{{no_number, 0}, 0}, Pose<double>{{0, -infinite}, 0}, Pose<double>{{0, 0}, no_number}}) {
-    Snapshot world = with_ground();
-    world.bodies.push_back(dynamic_body(box(1, 1), {0, 0}));
+    Snapshot world = with_ground({dynamic_body(box(1, 1), {0, 0})});
     WorldPage sane;
     draw_world(sane, world_camera, world);
     const Image image = sane.canvas().read();
@@ -119,8 +108,7 @@ TEST_CASE("bodies without a finite pose are not drawn, and named in a note") {
 }
 
 TEST_CASE("a body smaller than a pixel gets a ring and its name; many are counted instead") {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(box(1e-4, 1e-4), {-2, 1}));
+  Snapshot world = with_ground({dynamic_body(box(1e-4, 1e-4), {-2, 1})});
   WorldPage page;
   draw_world(page, world_camera, world);
   draw_unseen(page, world_camera, world);
@@ -161,8 +149,7 @@ TEST_CASE("on a small page with little room everything unseen is still told with
 }
 
 TEST_CASE("a thousand contacts leave most of a body to be seen") {
-  Snapshot world = with_ground();
-  world.bodies.push_back(dynamic_body(box(8, 6), {0, 0}));
+  Snapshot world = with_ground({dynamic_body(box(8, 6), {0, 0})});
   const Theme theme = light_theme();
   const int bare = count_of_color(picture_of_world(world, {.numbers = false}), theme.body);
   for (int i = 0; i < 40; ++i) {

@@ -1,16 +1,9 @@
 // Whole frames: clips, coordinates that are out of bounds, contexts side by side, and the same bits every
 // time.
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <string>
 #include <thread>
 
-#include "math/list.hpp"
-#include "render/canvas.hpp"
-#include "ink.hpp"
+#include "render/ink.hpp"
 
 using namespace cairn;
 using namespace cairn::render;

@@ -1,13 +1,9 @@
 // The rule of the golden pictures, itself shown to fail.
-#include "../images/golden.hpp"
-
-#include <doctest/doctest.h>
-
 #include <cstdlib>
 #include <optional>
-#include <string>
 
-#include "picture_files.hpp"
+#include "render/picture_files.hpp"
+#include "render/pictures.hpp"
 
 using namespace cairn;
 using namespace cairn::render;

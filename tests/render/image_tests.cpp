@@ -1,12 +1,7 @@
 // PNG files come back as they were written, whole or not at all, and differences between pictures are
 // counted.
-#include <doctest/doctest.h>
-
-#include <string>
-
-#include "math/list.hpp"
-#include "picture_files.hpp"
-#include "render/image.hpp"
+#include "render/picture_files.hpp"
+#include "render/pictures.hpp"
 
 using namespace cairn;
 using namespace cairn::render;

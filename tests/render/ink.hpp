@@ -1,8 +1,7 @@
 // What the tests of the canvas share: pictures in black on white, and how much of them is black.
 #pragma once
 
-#include "math/list.hpp"
-#include "render/canvas.hpp"
+#include "render/pictures.hpp"
 
 namespace cairn::render {
 

@@ -1,12 +1,5 @@
 // The layout lint: a page that obeys every rule, and one page for each rule that breaks it.
-#include "render/lint.hpp"
-
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <string>
-
-#include "math/list.hpp"
+#include "render/pictures.hpp"
 
 namespace cairn::render {
 

@@ -1,15 +1,6 @@
 // Matrices as pictures: pixels of single cells, read back.
 #include "render/matrix.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "images/golden.hpp"
-#include "math/list.hpp"
-#include "render/lint.hpp"
+#include "render/pictures.hpp"
 
 namespace cairn::render {
 
@@ -17,18 +8,8 @@ namespace {
 
 constexpr double matrix_nan = std::numeric_limits<double>::quiet_NaN();
 
-struct MatrixPicture {
-  Image image = {};
-  List<TextBox> boxes = {};
-  List<std::string> faults = {};
-};
-
-MatrixPicture picture_of(const MatrixView& view, const Rect& rect, const Theme& theme = light_theme()) {
-  Page page(640, 360, theme);
-  page.canvas().clear(page.theme().background);
-  draw_matrix(page, rect, view);
-  const Span<const TextBox> boxes = page.canvas().text_boxes();
-  return {.image = page.canvas().read(), .boxes = {boxes.begin(), boxes.end()}, .faults = lint(page)};
+PagePicture picture_of(const MatrixView& view, const Rect& rect, const Theme& theme = light_theme()) {
+  return picture_of_page(theme, [&](Page& page) { draw_matrix(page, rect, view); });
 }
 
 Color matrix_pixel(const Image& image, int x, int y) {
@@ -41,17 +22,19 @@ double matrix_distance(Color a, Color b) {
   return 255 * static_cast<double>(std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}));
 }
 
-bool is_written(const MatrixPicture& picture, const std::string& text) {
-  return std::any_of(picture.boxes.begin(), picture.boxes.end(),
-                     [&](const TextBox& box) { return box.text == text; });
-}
-
 // Without title and names, the cells of this rectangle are 40 px and begin at (102, 52).
 constexpr Rect matrix_room = {100, 50, 124, 84};
 
 // Near the corner of a cell of matrix_room, beside its number or dot.
 Color cell_pixel(const Image& image, int row, int column) {
   return matrix_pixel(image, 102 + 40 * column + 5, 52 + 40 * row + 5);
+}
+
+// Both signs, and a zero.
+Eigen::MatrixXd signed_matrix() {
+  Eigen::MatrixXd values(2, 3);
+  values << 4, 2, 0, -4, -2, -1;
+  return values;
 }
 
 MatrixView example_matrix() {
@@ -68,8 +51,7 @@ MatrixView example_matrix() {
 
 TEST_CASE(
     "a cell has the colour of its sign, as strong as its share of the largest entry, and zero has none") {
-  Eigen::MatrixXd values(2, 3);
-  values << 4, 2, 0, -4, -2, -1;
+  const Eigen::MatrixXd values = signed_matrix();
   for (const Theme& theme : {light_theme(), dark_theme()}) {
     const Image image = picture_of({.values = values}, matrix_room, theme).image;
     CHECK(matrix_distance(cell_pixel(image, 0, 0), theme.positive) <= 1);
@@ -86,8 +68,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the same number has the same colour in matrices that name the same strongest value") {
-  Eigen::MatrixXd values(2, 3);
-  values << 4, 2, 0, -4, -2, -1;
+  const Eigen::MatrixXd values = signed_matrix();
   const Theme theme = light_theme();
   const Image whole = picture_of({.values = values}, matrix_room, theme).image;
   const Image half = picture_of({.values = values / 2, .strongest = 4}, matrix_room, theme).image;
@@ -98,16 +79,15 @@ TEST_CASE("the same number has the same colour in matrices that name the same st
 TEST_CASE("rounding errors of a matrix are drawn as the zeros they stand for") {
   Eigen::MatrixXd values(1, 2);
   values << 3, 4e-16;
-  const MatrixPicture picture = picture_of({.values = values}, matrix_room);
+  const PagePicture picture = picture_of({.values = values}, matrix_room);
   CHECK(is_written(picture, "+3"));
   CHECK(picture.boxes.size() == 1);
 }
 
 TEST_CASE("magnitudes have one hue whatever their sign") {
-  Eigen::MatrixXd values(2, 3);
-  values << 4, 2, 0, -4, -2, -1;
+  const Eigen::MatrixXd values = signed_matrix();
   const Theme theme = light_theme();
-  const MatrixPicture picture =
+  const PagePicture picture =
       picture_of({.values = values, .colors = MatrixColors::magnitude}, matrix_room, theme);
   for (const int column : {0, 1}) {
     CHECK(matrix_distance(cell_pixel(picture.image, 0, column), cell_pixel(picture.image, 1, column)) == 0);
@@ -117,12 +97,11 @@ TEST_CASE("magnitudes have one hue whatever their sign") {
 }
 
 TEST_CASE("entries that are no numbers are shown as such and leave the others alone") {
-  Eigen::MatrixXd values(2, 3);
-  values << 4, 2, 0, -4, -2, -1;
+  Eigen::MatrixXd values = signed_matrix();
   const Image clean = picture_of({.values = values}, matrix_room).image;
   values(0, 2) = matrix_nan;
   values(1, 2) = -std::numeric_limits<double>::infinity();
-  const MatrixPicture broken = picture_of({.values = values}, matrix_room);
+  const PagePicture broken = picture_of({.values = values}, matrix_room);
   CHECK(is_written(broken, "NaN"));
   CHECK(is_written(broken, "−∞"));
   CHECK(broken.faults.empty());
@@ -144,7 +123,7 @@ TEST_CASE("numbers lie inside their cells, and those that do not fit are left ou
   Eigen::MatrixXd values(2, 3);
   values << 0.333333, -12.3456, 1e-9, 1, -123456, 5;
   for (double side = 28; side <= 64; side += 4) {
-    const MatrixPicture picture = picture_of({.values = values}, {100, 50, 3 * side + 4, 2 * side + 4});
+    const PagePicture picture = picture_of({.values = values}, {100, 50, 3 * side + 4, 2 * side + 4});
     CAPTURE(side);
     CHECK(picture.boxes.size() >= 2);
     CHECK(picture.faults.empty());
@@ -157,7 +136,7 @@ TEST_CASE("numbers lie inside their cells, and those that do not fit are left ou
 }
 
 TEST_CASE("cells grow to 64 px and no further") {
-  const MatrixPicture picture = picture_of({.values = Eigen::MatrixXd::Constant(1, 2, 1)}, {0, 0, 640, 360});
+  const PagePicture picture = picture_of({.values = Eigen::MatrixXd::Constant(1, 2, 1)}, {0, 0, 640, 360});
   REQUIRE(picture.boxes.size() == 2);
   CHECK(picture.boxes[1].rect.x - picture.boxes[0].rect.x == doctest::Approx(64));
 }
@@ -208,7 +187,7 @@ TEST_CASE("the frame of the active row begins and ends at that row") {
 TEST_CASE("a matrix with names has a sound layout in every size and theme") {
   for (const Theme& theme : {light_theme(), dark_theme(), without_hues(light_theme())}) {
     for (const Rect& room : {Rect{10, 10, 300, 300}, Rect{10, 10, 120, 300}, Rect{10, 10, 620, 90}}) {
-      const MatrixPicture picture = picture_of(example_matrix(), room, theme);
+      const PagePicture picture = picture_of(example_matrix(), room, theme);
       CAPTURE(room.width);
       for (const std::string& fault : picture.faults) FAIL_CHECK(fault);
     }

@@ -1,13 +1,5 @@
 // The layout of a page: zones, header and footer, panels with equations, tables and questions.
-#include "render/page.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <stdexcept>
-
-#include "images/golden.hpp"
-#include "math/list.hpp"
+#include "render/pictures.hpp"
 
 namespace cairn::render {
 
@@ -35,13 +27,6 @@ void page_test_check_texts(const Page& page, const Rect& outer) {
       CHECK_FALSE(page_test_overlap(boxes[i].rect, boxes[j].rect));
     }
   }
-}
-
-const TextBox* page_test_written(const Page& page, const std::string& text) {
-  for (const TextBox& box : page.canvas().text_boxes()) {
-    if (box.text == text) return &box;
-  }
-  return nullptr;
 }
 
 Rect page_test_rect(const Page& page) {
@@ -138,9 +123,9 @@ TEST_CASE("title and state share the header without meeting, however long they a
 TEST_CASE("a title and a state that have room are written whole") {
   Page page(1280, 720, light_theme());
   page.begin({.number = "06", .title = "Sequential impulses", .state = "sweep 2/10 · row 2 of 3"});
-  CHECK(page_test_written(page, "Sequential impulses") != nullptr);
-  REQUIRE(page_test_written(page, "sweep 2/10 · row 2 of 3") != nullptr);
-  CHECK(page_test_written(page, "sweep 2/10 · row 2 of 3")->style.size == page.sizes().state);
+  CHECK(is_written(page, "Sequential impulses"));
+  REQUIRE(find_text(page.canvas().text_boxes(), "sweep 2/10 · row 2 of 3") != nullptr);
+  CHECK(find_text(page.canvas().text_boxes(), "sweep 2/10 · row 2 of 3")->style.size == page.sizes().state);
 }
 
 TEST_CASE("the dot of the scrubber stands where the frame is in the sequence") {
@@ -183,7 +168,7 @@ TEST_CASE("a result has its colour only in bold of at least 18 px") {
   for (const double width : {620.0, 280.0}) {
     Page page(1280, 720, light_theme());
     page.equation({20, 60, width, 300}, page_test_equation());
-    const TextBox* result = page_test_written(page, "= 3.75 N");
+    const TextBox* result = find_text(page.canvas().text_boxes(), "= 3.75 N");
     REQUIRE(result != nullptr);
     CHECK(result->style.bold);
     const bool colored = result->style.color.r == page.theme().normal.r;
@@ -197,8 +182,8 @@ TEST_CASE("a table shows every row when there is room, its numbers right-aligned
   const Rect panel = {640, 64, 620, 320};
   page.table(panel, "rows", page_test_table(6));
   page_test_check_texts(page, panel);
-  const TextBox* first = page_test_written(page, "1.25");
-  const TextBox* second = page_test_written(page, "6.25");
+  const TextBox* first = find_text(page.canvas().text_boxes(), "1.25");
+  const TextBox* second = find_text(page.canvas().text_boxes(), "6.25");
   REQUIRE(first != nullptr);
   REQUIRE(second != nullptr);
   CHECK(first->rect.x + first->rect.width == doctest::Approx(second->rect.x + second->rect.width));
@@ -211,13 +196,13 @@ TEST_CASE("a table too long for its panel shows the last rows, or those from the
   TableView table = page_test_table(40);
   page.table(panel, "rows", table);
   page_test_check_texts(page, panel);
-  CHECK(page_test_written(page, "row 40") != nullptr);
-  CHECK(page_test_written(page, "row 1") == nullptr);
+  CHECK(is_written(page, "row 40"));
+  CHECK(!is_written(page, "row 1"));
   page.begin({});
   table.active_row = 4;
   page.table(panel, "rows", table);
-  CHECK(page_test_written(page, "row 5") != nullptr);
-  CHECK(page_test_written(page, "row 40") == nullptr);
+  CHECK(is_written(page, "row 5"));
+  CHECK(!is_written(page, "row 40"));
 }
 
 TEST_CASE("a table too wide for its panel is cut with an ellipsis and stays inside") {
@@ -249,7 +234,7 @@ TEST_CASE("a card is as high as its text, and returns the room below it") {
     CHECK(below.width == room.width);
   }
   CHECK(below_long.y > below_short.y + page.sizes().question);
-  const TextBox* word = page_test_written(page, "No.");
+  const TextBox* word = find_text(page.canvas().text_boxes(), "No.");
   REQUIRE(word != nullptr);
   CHECK(word->rect.y + word->rect.height + page.sizes().padding / 2 < below_short.y);
   const Rect small = {10, 40, 300, 60};

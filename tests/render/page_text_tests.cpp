@@ -1,9 +1,5 @@
 // Text on a page: wrapped, put where there is room, and numbers for people.
-#include <doctest/doctest.h>
-
-#include <limits>
-
-#include "render/page.hpp"
+#include "render/pictures.hpp"
 #include "render/text_layout.hpp"
 
 namespace cairn::render {

@@ -9,12 +9,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
-#include <string>
 
 #include "../geometry/random_shapes.hpp"
-#include "math/list.hpp"
 #include "render/image.hpp"
+#include "testing.hpp"
 
 namespace cairn::test {
 
@@ -118,15 +116,6 @@ inline render::Image inflated(int width, int height, const std::string& compress
   return image;
 }
 
-/// What a call throws, as text; empty when it throws nothing or something else.
-template <typename Error, typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
+using testing::message_of;
 
 }  // namespace cairn::test

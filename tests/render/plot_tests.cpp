@@ -1,14 +1,5 @@
 // Charts: ticks, where points land, what may be drawn where, and words that meet nothing.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
-#include "images/golden.hpp"
-#include "math/list.hpp"
-#include "render/lint.hpp"
+#include "render/pictures.hpp"
 #include "render/plot.hpp"
 #include "render/plot_parts.hpp"
 
@@ -33,11 +24,7 @@ ColoredPixels pixels_of_color(const Image& image, const Color& color) {
   ColoredPixels found;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const int at = 3 * (y * image.width + x);
-      const double distance = std::abs(image.pixels[at] - 255.0 * static_cast<double>(color.r)) +
-                              std::abs(image.pixels[at + 1] - 255.0 * static_cast<double>(color.g)) +
-                              std::abs(image.pixels[at + 2] - 255.0 * static_cast<double>(color.b));
-      if (distance > 90) continue;
+      if (sum_off(image, x, y, color) > 90) continue;
       found.count += 1;
       found.left = std::min(found.left, x), found.right = std::max(found.right, x);
       found.top = std::min(found.top, y), found.bottom = std::max(found.bottom, y);
@@ -50,8 +37,10 @@ ColoredPixels pixels_of_color(const Image& image, const Color& color) {
 
 constexpr Rect plot_rect = {20, 40, 600, 300};
 
+/// With the plot on it, if there is one.
 struct PlotPage : Page {
   PlotPage() : Page(640, 360, light_theme()) { begin({.title = "Plot"}); }
+  explicit PlotPage(const Plot& plot) : PlotPage() { draw_plot(*this, plot_rect, plot); }
 };
 
 /// Where the axes of a plot without names are: the panel is drawn on a page of its own.
@@ -105,8 +94,7 @@ TEST_CASE("a point lands where its share of the axes is") {
   Plot plot = unit_plot();
   plot.series.push_back({.style = red_line, .x = {0.25}, .y = {0.7}});
   const PlotFrame frame = frame_without_names(plot);
-  PlotPage page;
-  draw_plot(page, plot_rect, plot);
+  PlotPage page(plot);
   const ColoredPixels dot = pixels_of_color(page.canvas().read(), red_line.color);
   const double rim = 2 * page.sizes().marker;
   REQUIRE(dot.count > 10);
@@ -123,8 +111,7 @@ TEST_CASE("a curve never paints outside its axes") {
   }
   plot.series.push_back(wild);
   const PlotFrame frame = frame_without_names(plot);
-  PlotPage page;
-  draw_plot(page, plot_rect, plot);
+  PlotPage page(plot);
   const ColoredPixels curve = pixels_of_color(page.canvas().read(), red_line.color);
   CHECK(curve.count > 500);
   CHECK(curve.left >= frame.box.x - 1);
@@ -139,8 +126,7 @@ TEST_CASE("a value that is not a number leaves a gap in its curve") {
       .style = red_line, .x = {0, 0.2, 0.4, 0.6, 0.8, 1}, .y = {0.5, 0.5, not_plottable, 0.5, 0.5, 0.5}};
   broken.markers = false;
   plot.series.push_back(broken);
-  PlotPage page;
-  draw_plot(page, plot_rect, plot);
+  PlotPage page(plot);
   REQUIRE(page.curves().size() == 2);
   const double from = page.curves()[0].back().x();
   const double to = page.curves()[1].front().x();
@@ -188,8 +174,7 @@ TEST_CASE("of two curves that coincide both are seen by their markers") {
     }
     plot.series.push_back(series);
   }
-  PlotPage page;
-  draw_plot(page, plot_rect, plot);
+  PlotPage page(plot);
   const double radius = page.sizes().marker;
   // Six markers each, less their rims; the blue curve covers part of the red ones' neighbourhood, not the
   // markers.
@@ -202,8 +187,7 @@ TEST_CASE("a curve of few points shows each of them, also where another curve ha
   Plot plot = unit_plot();
   plot.series.push_back({.style = red_line, .x = {0.1, 0.5, 0.9}, .y = {0.5, 0.5, 0.5}});
   plot.series.push_back({.style = blue_line, .x = {0.1, 0.5, 0.9}, .y = {0.5, 0.2, 0.2}});
-  PlotPage page;
-  draw_plot(page, plot_rect, plot);
+  PlotPage page(plot);
   const ColoredPixels blue = pixels_of_color(page.canvas().read(), blue_line.color);
   const double first = frame_without_names(plot).x.pixel(0.1);
   CHECK(std::abs(blue.left - (first - page.sizes().marker)) <= 1.5);  // its rim is a pixel of the panel
@@ -213,8 +197,7 @@ TEST_CASE("a name never stands nearer to another curve than to its own") {
   Plot plot = unit_plot();  // both end early; left of the lower one's end runs the upper one
   plot.series.push_back({.name = "upper", .style = red_line, .x = {0, 0.6}, .y = {0.62, 0.62}});
   plot.series.push_back({.name = "lower", .style = blue_line, .x = {0, 0.6}, .y = {0.5, 0.5}});
-  PlotPage page;
-  draw_plot(page, plot_rect, plot);
+  PlotPage page(plot);
   const PlotFrame frame = frame_without_names(plot);
   for (const TextBox& box : page.canvas().text_boxes()) {
     if (box.text != "upper" && box.text != "lower") continue;
@@ -229,8 +212,7 @@ TEST_CASE("a name inside a plot keeps off the line that says where we are") {
   Plot plot = unit_plot();
   plot.series.push_back({.name = "error", .style = red_line, .x = {0, 0.5}, .y = {0.9, 0.1}});
   plot.now = 0.55;
-  PlotPage page;
-  draw_plot(page, plot_rect, plot);
+  PlotPage page(plot);
   const double line = frame_without_names(plot).x.pixel(0.55);
   bool is_written = false;
   for (const TextBox& box : page.canvas().text_boxes()) {
@@ -258,8 +240,7 @@ TEST_CASE("data without extent, without points, or beyond all bounds is drawn al
       Series series{.name = "x", .style = red_line, .y = height};
       for (int i = 0; i < height.size(); ++i) series.x.push_back(i);
       plot.series.push_back(series);
-      PlotPage page;
-      draw_plot(page, plot_rect, plot);
+      PlotPage page(plot);
       CHECK(lint(page) == List<std::string>{});
       const bool has_points =
           std::any_of(height.begin(), height.end(), [&](double y) { return plottable(y, scale); });

@@ -1,13 +1,7 @@
 // Ticks of charts, logarithmic axes, and places that move apart.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <string>
 
-#include "math/list.hpp"
+#include "render/pictures.hpp"
 #include "render/plot_parts.hpp"
 
 namespace {

@@ -1,16 +1,12 @@
 // Frames written in the background: the right names, the same bytes on any number of threads, and no lost
 // error.
-#include <doctest/doctest.h>
-#include <sys/stat.h>
-
 #include <atomic>
 #include <chrono>
-#include <string>
+#include <sys/stat.h>
 #include <thread>
-#include <utility>
 
-#include "math/list.hpp"
-#include "picture_files.hpp"
+#include "render/picture_files.hpp"
+#include "render/pictures.hpp"
 #include "render/sequence.hpp"
 
 using namespace cairn;

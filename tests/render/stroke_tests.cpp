@@ -1,12 +1,5 @@
 // Lines, dashes and hatching: what part of every pixel they cover, held against lengths from formulas.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "math/list.hpp"
-#include "render/canvas.hpp"
-#include "ink.hpp"
+#include "render/ink.hpp"
 
 using namespace cairn;
 using namespace cairn::render;

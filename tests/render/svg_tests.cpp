@@ -1,14 +1,6 @@
 // A frame in vectors: what a canvas draws is in the file, where it was drawn.
+#include "render/pictures.hpp"
 #include "render/svg.hpp"
-
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <string>
-
-#include "math/list.hpp"
-#include "render/canvas.hpp"
-#include "render/theme.hpp"
 
 namespace cairn::render {
 namespace {

@@ -1,14 +1,9 @@
 // Text: where glyphs stand, what markup does, and what is reported of it.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <string_view>
 
-#include "render/canvas.hpp"
 #include "render/font.hpp"
 #include "render/markup.hpp"
+#include "render/pictures.hpp"
 
 using namespace cairn;
 using namespace cairn::render;

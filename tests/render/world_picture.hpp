@@ -1,12 +1,8 @@
 // What the tests of drawn worlds share: a small page, simple worlds, and what colour is where.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-
 #include "render/draw.hpp"
+#include "render/pictures.hpp"
 
 namespace cairn::test {
 
@@ -29,23 +25,19 @@ inline SnapshotBody dynamic_body(const Shape<double>& shape, const Vec2<double>&
   return body;
 }
 
-inline Snapshot with_ground() {
+/// These bodies are numbered from 1 on.
+inline Snapshot with_ground(const List<SnapshotBody>& bodies = {}) {
   Snapshot world{.dt = 0.02};
   SnapshotBody floor;
   floor.shapes.push_back(moved(box(100, 1), {0, -2.5}));  // its surface at y = -2
   world.bodies.push_back(floor);
+  for (const SnapshotBody& body : bodies) world.bodies.push_back(body);
   return world;
 }
 
 /// How far a pixel's colour is from another, 0..255, the worst of the three channels.
 inline int distance_at(const Image& image, const Point& at, const Color& color) {
-  const int x = static_cast<int>(at.x());
-  const int y = static_cast<int>(at.y());
-  const int first = 3 * (y * image.width + x);
-  const double r = std::abs(image.pixels[first] - 255.0 * static_cast<double>(color.r));
-  const double g = std::abs(image.pixels[first + 1] - 255.0 * static_cast<double>(color.g));
-  const double b = std::abs(image.pixels[first + 2] - 255.0 * static_cast<double>(color.b));
-  return static_cast<int>(std::max({r, g, b}));
+  return static_cast<int>(worst_off(image, static_cast<int>(at.x()), static_cast<int>(at.y()), color));
 }
 
 inline int distance_at(const Image& image, const Vec2<double>& world, const Color& color, double right,
@@ -71,11 +63,6 @@ inline int strokes_in_row(const Image& image, double y, const Color& color, int 
     was_on = is_on;
   }
   return strokes;
-}
-
-inline bool is_written(const Page& page, const std::string& text) {
-  const auto boxes = page.canvas().text_boxes();
-  return std::any_of(boxes.begin(), boxes.end(), [&](const TextBox& box) { return box.text == text; });
 }
 
 inline Image picture_of_world(const Snapshot& world, const WorldLook& look = {}) {

@@ -1,12 +1,5 @@
 // Rows on more than two bodies (paper 4.3 says only SI can have them): every solver here can.
-#include <doctest/doctest.h>
-
-#include "math/list.hpp"
 #include "solver_list.hpp"
-#include "solvers/body_rows.hpp"
-#include "solvers/non_zeros.hpp"
-#include "solvers/residual.hpp"
-#include "solvers/system_matrix.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -56,31 +49,6 @@ VelocityProblem<Real> rope_and_floor() {
 }
 
 }  // namespace
-
-TEST_CASE_TEMPLATE("a rope on 2, 3 or 4 bodies pulls with sum r_i g / sum r_i^2 / m_i, in every solver", Real,
-                   float, double) {
-  struct Case {
-    List<Real> parts;
-    List<Real> masses;
-  };
-  const List<Case> cases = {{{1, 1}, {2, 1}}, {{1, 2, 1}, {1, 2, 3}}, {{1, 2, 2, 1}, {3, 1, 2, 5}}};
-  for (const Case& rope : cases) {
-    Real sum = 0, inverse = 0;
-    for (int i = 0; i < rope.parts.size(); ++i) {
-      sum += rope.parts[i];
-      inverse += rope.parts[i] * rope.parts[i] / rope.masses[i];
-    }
-    const Real tension = sum * 10 / inverse;  // 13.333 N and 12 N for the first two
-    for (const SolverMaker<Real>& make : all_solvers<Real>(Iterates::any)) {
-      VelocityProblem<Real> problem = rope_over<Real>(rope.parts, rope.masses, 10, Real(0.02));
-      make({.iterations = 1})->solve(problem);
-      // One sweep solves one row: what is left is the rounding of a few operations.
-      const Real eps = std::numeric_limits<Real>::epsilon();
-      CHECK(std::abs(problem.impulse[0] / problem.dt - tension) <= 16 * eps * tension);
-      CHECK(std::abs(row_velocity(problem, problem.rows[0])) <= 32 * eps * Real(0.2) * sum);
-    }
-  }
-}
 
 TEST_CASE_TEMPLATE("rows that share a third body couple, and all solvers give the same sweeps", Real, float,
                    double) {

@@ -1,19 +1,9 @@
 // The islands of a problem, and Newton's method on each by itself.
-#include "solvers/islands.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "constraints/converted.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/revolute_joint.hpp"
 #include "solver_list.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "world/world.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 

@@ -1,10 +1,5 @@
 // How many entries of A are not zero: eq. (30) as printed, and as it should be.
-#include <doctest/doctest.h>
-
-#include "geometry/shape.hpp"
-#include "solvers/non_zeros.hpp"
-#include "solvers/system_matrix.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

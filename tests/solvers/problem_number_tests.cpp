@@ -1,9 +1,5 @@
 // What the number of a problem says, and what solvers do with it.
-#include <doctest/doctest.h>
-
-#include "constraints/revolute_joint.hpp"
 #include "solver_list.hpp"
-#include "world/world.hpp"
 
 using namespace cairn;
 

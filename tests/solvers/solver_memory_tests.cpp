@@ -1,10 +1,5 @@
 // What solvers store, and what they refuse to store.
-#include <doctest/doctest.h>
-
-#include "math/list.hpp"
 #include "solver_list.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "solvers/non_zeros.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

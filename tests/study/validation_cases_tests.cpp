@@ -147,7 +147,7 @@ TEST_CASE("a result passes if all numbers and the order do, and never with a num
 }
 
 TEST_CASE("the worst of many numbers is the one whose error is the most tolerances long") {
-  Worst worst({.what = "speed", .formula = "v", .unit = "m/s", .reason = "rounding"});
+  Worst worst = Worst("speed", "m/s").by("v").since("rounding");
   CHECK_THROWS_AS(worst.number(), std::logic_error);  // it would always pass
   worst.add(1, 1, 0);                                 // no error needs no tolerance
   CHECK(worst.number().passes());

@@ -1,18 +1,11 @@
 // What worlds share, and what may be read, on several threads at a time: to the bits of one thread. Under
 // `bash tests/run tsan` nothing may be read while it is written, either.
-#include <doctest/doctest.h>
-
 #include <atomic>
-#include <cstdint>
 #include <thread>
 
-#include "constraints/revolute_joint.hpp"
-#include "math/list.hpp"
 #include "measure/fingerprint.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
@@ -42,12 +35,7 @@ Scene scene_to_share(bool with_chain, ContactSearch search) {
   for (int i = 0; i < 12; ++i) {
     scene.add({.shapes = {box(1, 0.8)}, .position = {1.1 * (i % 4) + 0.2 * (i / 4), 0.4 + 0.8 * (i / 4)}});
   }
-  BodyId above = ground;
-  for (int i = 0; i < (with_chain ? 4 : 0); ++i) {
-    const BodyId link = scene.add({.shapes = {box(1, 0.2)}, .position = {8.5 + i, 4}});
-    scene.join<RevoluteJoint>({.a = above, .b = link, .anchor = {8.0 + i, 4}});
-    above = link;
-  }
+  if (with_chain) samples::add_chain(scene, 4, {.shapes = {box(1, 0.2)}, .position = {8.5, 4}}, {1, 0});
   scene.add({.time = 0.1, .action = RemoveBody{BodyId{5}}});
   return scene;
 }

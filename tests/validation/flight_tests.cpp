@@ -1,5 +1,4 @@
 // Bounces, with and without a contact that is foreseen.
-#include "geometry/shape.hpp"
 #include "math/list.hpp"
 #include "problems.hpp"
 

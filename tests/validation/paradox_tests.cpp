@@ -1,5 +1,4 @@
 // Coulomb friction that sweeps never find, in a world.
-#include "geometry/shape.hpp"
 #include "problems.hpp"
 
 using namespace cairn;

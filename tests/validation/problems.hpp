@@ -1,14 +1,7 @@
 // Worlds stepped for a while, and the problems written by hand of the validation cases: what the tests share.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <functional>
-
-#include "../solvers/solver_list.hpp"
-#include "validation/case_problems.hpp"
-#include "world/world.hpp"
+#include "solvers/solver_list.hpp"
 
 namespace cairn::testing {
 
@@ -18,18 +11,7 @@ inline constexpr double test_dt = standard_dt;            // [s]
 /// Steps the world for about this long [s]: a whole number of steps.
 template <Scalar Real>
 void run(World<Real>& world, Solver<Real>& solver, double seconds) {
-  const int steps = static_cast<int>(std::lround(seconds / world.clock().dt));
-  for (int i = 0; i < steps; ++i) world.step(solver);
-}
-
-/// A body's velocity and position in the world, by id.
-template <Scalar Real>
-const Vec3<Real>& velocity_of(const World<Real>& world, BodyId body) {
-  return world.bodies().velocity[body];
-}
-template <Scalar Real>
-const Pose<Real>& pose_of(const World<Real>& world, BodyId body) {
-  return world.bodies().pose[body];
+  take_steps(world, solver, static_cast<int>(std::lround(seconds / world.clock().dt)));
 }
 
 /// Checks that an error, given the steps per second, shrinks in proportion to dt: order 0.8 to 1.2 over three

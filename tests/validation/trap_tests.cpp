@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/shape.hpp"
 #include "problems.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -12,33 +12,8 @@ namespace {
 
 const double quiet_nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A box of 1 m and 1 kg on two feet 0.2 m from its middle, after one step of falling.
-VelocityProblem<double> box_on_narrow_feet() {
-  VelocityProblem<double> problem = empty_problem<double>();
-  const BodyId box = add_body<double>(problem, 1, 1.0 / 6, {0, -test_gravity * test_dt, 0});
-  for (const double x : {-0.2, 0.2}) add_row(problem, floor_row(box, x));
-  return problem;
-}
-
-/// What not to do: sweeps that clamp every increment at 0 instead of the sum. Returns the sum of all
-/// impulses.
-double sweep_with_clamped_increments(VelocityProblem<double>& problem, int sweeps) {
-  double sum = 0;
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (const ConstraintRow<double>& row : problem.rows) {
-      const double wish = -row_velocity(problem, row) / inverse_effective_mass(problem, row);
-      apply_impulse(problem, row, std::max(wish, 0.0));
-      sum += std::max(wish, 0.0);
-    }
-  }
-  return sum;
-}
-
 World<double> settled_stack(int boxes, Solver<double>& solver) {
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
-  World world(scene);
+  World<double> world(samples::stack(boxes));
   run(world, solver, 2);
   return world;
 }
@@ -57,23 +32,6 @@ TEST_CASE("a velocity without gravity in it gives no impulse at all: v_1 must ho
     for (Vec3<double>& v : forgotten.velocity) v.setZero();
     make({.iterations = 100})->solve(forgotten);
     for (const double impulse : forgotten.impulse) CHECK(impulse == 0);
-  }
-}
-
-TEST_CASE("an impulse divided by dt is the weight that the paper's lambda is") {
-  for (const double frequency : {30.0, 60.0, 240.0}) {
-    Scene scene({.dt = 1 / frequency});
-    scene.add_ground();
-    const BodyId stone = scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 7});
-    World world(scene);
-    SequentialImpulse<double> solver({.iterations = 50});
-    run(world, solver, 0.5);
-    const Snapshot now = snapshot(world);
-    double impulse = 0;
-    for (const SnapshotContact& contact : now.contacts) impulse += contact.normal_impulse;
-    CHECK(now.contacts.size() == 2);
-    CHECK(impulse / now.dt == doctest::Approx(7 * test_gravity).epsilon(1e-12));  // [N]
-    CHECK(pose_of(world, stone).position.y() == doctest::Approx(0.5).epsilon(1e-12));
   }
 }
 
@@ -104,8 +62,7 @@ TEST_CASE("a settled stack stays at rest when dt changes from 1/60 s to 1/30 s a
   CHECK(largest_speed(world) <= 1e-6 * test_gravity * test_dt);
   for (const double frequency : {60.0, 30.0, 60.0}) {
     world.set_dt(1 / frequency);
-    SequentialImpulse<double> one_sweep({.iterations = 1});
-    world.step(one_sweep);
+    take_steps(world, 1, 1);
     // Impulses that were not scaled would move the boxes by g (1/30 - 1/60) = 0.167 m/s.
     CHECK(largest_speed(world) <= 1e-6 * test_gravity * test_dt);
   }
@@ -155,35 +112,6 @@ TEST_CASE("a row between two bodies that cannot move does nothing and harms noth
     CHECK(problem.impulse[1] == 0);
     CHECK(problem.impulse[2] == 0);
     CHECK(problem.velocity[{2}] == Vec3<double>(0, -3, 0));
-  }
-}
-
-TEST_CASE("clamped sums of impulses carry a narrow box exactly; clamped increments throw it up") {
-  const double weight = test_gravity * test_dt;
-  VelocityProblem<double> wrong = box_on_narrow_feet();
-  const double sum = sweep_with_clamped_increments(wrong, 100);
-  // A_ii = 1 + 6 * 0.2^2 and A_ij = 1 - 6 * 0.2^2: the second foot gets what the first one left, and no sweep
-  // ever takes any of the first one's share back.
-  const double A_ii = 1.24, A_ij = 0.76;
-  CHECK(sum == doctest::Approx(weight / A_ii * (1 + (1 - A_ij / A_ii))).epsilon(1e-13));  // 1.119 m g dt
-  CHECK(wrong.velocity[{1}].y() == doctest::Approx(sum - weight).epsilon(1e-12));         // upwards, for ever
-
-  for (const SolverMaker<double>& make : all_solvers<double>()) {
-    VelocityProblem<double> right = box_on_narrow_feet();
-    make({.iterations = 100})->solve(right);  // (A_ij / A_ii)^2 = 0.38 a sweep
-    CHECK(std::accumulate(right.impulse.begin(), right.impulse.end(), 0.0) ==
-          doctest::Approx(weight).epsilon(1e-14));
-    CHECK(right.velocity[{1}].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
-  }
-}
-
-TEST_CASE("a warm impulse that is too large is taken back") {
-  const double weight = test_gravity * test_dt;
-  for (const SolverMaker<double>& make : all_solvers<double>()) {
-    VelocityProblem<double> problem = box_on_narrow_feet();
-    problem.impulse = {weight, weight};  // twice what is needed
-    make({.iterations = 100})->solve(problem);
-    CHECK(problem.velocity[{1}].cwiseAbs().maxCoeff() <= 64 * double_epsilon);
   }
 }
 

@@ -1,8 +1,7 @@
 // Mistakes in the sweep itself: stale values, limits of friction from another moment, contradictory rows, and
 // tests so symmetric that they hide what is slow.
-#include "geometry/shape.hpp"
 #include "problems.hpp"
-#include "solvers/residual.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -13,22 +12,17 @@ namespace {
 /// given heights from its centre [m] and friction enough to hold it anywhere. Rows: normal, normal, friction,
 /// friction.
 VelocityProblem<double> box_with_tangents_at(double first, double second) {
-  VelocityProblem<double> problem = empty_problem<double>();
-  const BodyId box = add_body<double>(problem, 1, 1.0 / 6, {0.1, -test_gravity * test_dt, 0});
-  const int left = add_row(problem, floor_row<double>(box, -0.5));
-  const int right = add_row(problem, floor_row<double>(box, 0.5));
+  VelocityProblem<double> problem = box_on_feet<double>({-0.5, 0.5}, {0.1, -test_gravity * test_dt, 0});
   problem.rows.back().bias = 0.01;
-  add_row(problem, floor_friction_row<double>(box, first, 100, left));
-  add_row(problem, floor_friction_row<double>(box, second, 100, right));
+  add_row(problem, floor_friction_row<double>({1}, first, 100, 0));
+  add_row(problem, floor_friction_row<double>({1}, second, 100, 1));
   return problem;
 }
 
 /// A stack of unit boxes that friction glues, carrying its weight already but for a push on the topmost box.
 VelocityProblem<double> pushed_stack(int n, const Vec3<double>& push) {
-  Scene scene({.friction_rows = FrictionRows::per_manifold});
-  scene.add_ground();
-  for (int k = 0; k < n; ++k) scene.add({.shapes = {box(1, 1)}, .position = {0, k + 0.5}, .mass = 1});
-  VelocityProblem<double> problem = World(scene).velocity_problem();
+  VelocityProblem<double> problem =
+      problem_after(samples::stack(n, {.friction_rows = FrictionRows::per_manifold}), 0);
   REQUIRE(problem.row_count() == 3 * n);
   for (int i = 0; i < problem.row_count(); ++i) {
     const int boxes_above = n - i / 3;

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "problems.hpp"
-#include "solvers/residual.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

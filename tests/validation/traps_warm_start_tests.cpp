@@ -2,13 +2,10 @@
 #include <map>
 #include <set>
 
-#include "../geometry/random_shapes.hpp"
+#include "geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
-#include "measure/energy.hpp"
 #include "problems.hpp"
-#include "solvers/residual.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -117,10 +114,7 @@ TEST_CASE("friction that is carried over pushes in the same direction, whichever
 
 TEST_CASE(
     "warm starting gives a stack that has settled its answer in one sweep, where a cold one needs many") {
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < 10; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
-  World<double> world(scene);
+  World<double> world(samples::stack(10));
   SequentialImpulse<double> solver({.iterations = 100});
   run(world, solver, 3);
   VelocityProblem<double> warm = world.velocity_problem();

@@ -1,14 +1,10 @@
 // Mistakes of a whole step: tangents that disagree, rows in another order, angles that wrap, work that is not
 // counted, bodies that fall asleep.
-#include "../constraints/constraint_list.hpp"
-#include "../geometry/random_shapes.hpp"
+#include "constraints/constraint_list.hpp"
+#include "geometry/random_shapes.hpp"
 #include "collision/collide.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
 #include "problems.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -117,32 +113,11 @@ TEST_CASE("a weld holds while its bodies turn through pi at different times, aga
   CHECK(pose_of(world, halves[1]).angle > 8 * pi);  // the stretch of a fast turn slows it
 }
 
-TEST_CASE("a step counts all of its sweeps: those of every substep and of every pass over the rows") {
-  struct Case {
-    StabilizationPolicy policy;
-    int passes;
-  };
-  for (const Case& each : {Case{StabilizationPolicy::none, 1}, Case{StabilizationPolicy::baumgarte, 1},
-                           Case{StabilizationPolicy::soft, 2}, Case{StabilizationPolicy::split_impulse, 2}}) {
-    for (const int substeps : {1, 4}) {
-      Scene scene({.substeps = substeps, .stabilization = {.policy = each.policy}});
-      scene.add_ground();
-      scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 1});
-      World<double> world(scene);
-      SequentialImpulse<double> solver({.iterations = 7});
-      CHECK(world.step(solver).sweeps == 7 * substeps * each.passes);
-    }
-  }
-}
-
 TEST_CASE("nothing falls asleep: a stack at rest for ten seconds falls freely when its table is gone") {
   Scene scene;
   const BodyId table =
       scene.add({.type = BodyType::kinematic, .shapes = {box(10, 1)}, .position = {0, -0.5}});
-  List<BodyId> boxes;
-  for (int i = 0; i < 3; ++i) {
-    boxes.push_back(scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1}));
-  }
+  const List<BodyId> boxes = samples::add_stack(scene, 3);
   World<double> world(scene);
   SequentialImpulse<double> solver({.iterations = 50});
   run(world, solver, 10);

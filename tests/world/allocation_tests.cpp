@@ -5,12 +5,9 @@
 #include <cstdlib>
 #include <new>
 
-#include "../solvers/solver_list.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "math/list.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "solvers/system_matrix.hpp"
-#include "world/world.hpp"
+#include "solvers/solver_list.hpp"
+#include "cairn.hpp"
+#include "samples/samples.hpp"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define CAIRN_TEST_SANITIZED 1
@@ -107,29 +104,11 @@ struct SceneToCount {
   Scene scene;
 };
 
-Scene stack_to_count(const SceneSettings& settings) {
-  Scene scene(settings);
-  scene.add_ground();
-  for (int i = 0; i < 10; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}});
-  return scene;
-}
-
-Scene pyramid_to_count(int base) {
-  Scene scene;
-  scene.add_ground();
-  for (int level = 0; level < base; ++level) {
-    for (int i = 0; i < base - level; ++i) {
-      scene.add({.shapes = {box(1, 1)}, .position = {1.1 * (i + 0.5 * level), 0.5 + level}});
-    }
-  }
-  return scene;
-}
-
 /// So many shapes that their boxes are sorted.
 Scene discs_to_count() {
   Scene scene;
   scene.add_ground();
-  for (int i = 0; i < 40; ++i) scene.add({.shapes = {circle(0.4)}, .position = {i - 20.0, 0.4}});
+  samples::add_line(scene, 40, {.shapes = {circle(0.4)}, .position = {-20, 0.4}}, {1, 0});
   return scene;
 }
 
@@ -161,11 +140,11 @@ Scene rope_to_count() {
 
 List<SceneToCount> scenes_to_count() {
   return {
-      {"stack", stack_to_count({})},
-      {"stack, soft", stack_to_count({.stabilization = {.policy = StabilizationPolicy::soft}})},
-      {"stack, split", stack_to_count({.stabilization = {.policy = StabilizationPolicy::split_impulse}})},
-      {"stack, substeps", stack_to_count({.substeps = 2})},
-      {"pyramid", pyramid_to_count(5)},
+      {"stack", samples::stack(10)},
+      {"stack, soft", samples::stack(10, {.stabilization = {.policy = StabilizationPolicy::soft}})},
+      {"stack, split", samples::stack(10, {.stabilization = {.policy = StabilizationPolicy::split_impulse}})},
+      {"stack, substeps", samples::stack(10, {.substeps = 2})},
+      {"pyramid", samples::pyramid({.base = 5, .pitch = 1.1})},
       {"discs, sorted", discs_to_count()},
       {"chain", chain_to_count()},
       {"rope", rope_to_count()},
@@ -215,8 +194,8 @@ TEST_CASE("the counter of allocations counts, and only while it lives") {
 #ifdef CAIRN_TEST_COUNTS_MALLOC
 TEST_CASE("Newton's method kept warm takes no memory from the heap for a stack at rest, systems and all") {
   NewtonSolver<double> solver({.iterations = 30, .tolerance = 1e-9});
-  CHECK(allocations_of_steady_steps<double>(stack_to_count({}), solver) == 0);
-  World<double> world(stack_to_count({}));
+  CHECK(allocations_of_steady_steps<double>(samples::stack(10), solver) == 0);
+  World<double> world(samples::stack(10));
   VelocityProblem<double> problem = world.velocity_problem(), harder = problem;
   for (Vec3<double>& velocity : harder.velocity) velocity.y() -= 1;
   solver.solve(problem);
@@ -240,11 +219,11 @@ TEST_CASE("the counter sees the matrices of Eigen, which do without operator new
 TEST_CASE(
     "the scenes whose allocations are counted sort their boxes in one case, and compare all in others") {
   CHECK(make_plan(discs_to_count()).broadphase == BroadphaseKind::grid);
-  CHECK(make_plan(pyramid_to_count(5)).broadphase == BroadphaseKind::all_pairs);
+  CHECK(make_plan(samples::pyramid({.base = 5, .pitch = 1.1})).broadphase == BroadphaseKind::all_pairs);
 }
 
 TEST_CASE("a world that is new does allocate: the steps that are counted are those that follow") {
-  World<double> world(stack_to_count({}));
+  World<double> world(samples::stack(10));
   SequentialImpulse<double> solver;
   long allocations = -1;
   {
@@ -261,7 +240,7 @@ TEST_CASE_TEMPLATE("a steady step allocates nothing, whatever the scene, the pol
 }
 
 TEST_CASE_TEMPLATE("nor does one with an order of rows, a tolerance and patience", Real, float, double) {
-  const SceneToCount one = {"pyramid", pyramid_to_count(4)};
+  const SceneToCount one = {"pyramid", samples::pyramid({.base = 4, .pitch = 1.1})};
   for (const RowOrder order : {RowOrder::alternating, RowOrder::shuffled, RowOrder::coloured}) {
     check_steady_steps<Real>(
         one, {.iterations = 5, .tolerance = 1e-3, .order = order, .relaxation = 1.1, .patience = 2});

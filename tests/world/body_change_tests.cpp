@@ -1,12 +1,5 @@
 // Editing the bodies of a scene: what they are, where they begin, and how fast.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "edited_scenes.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -105,7 +98,7 @@ TEST_CASE("a body with joints may grow around its centre of mass, and not beside
   chain.scene.change({1}, spec);
   CHECK(snapshot(World<double>(chain.scene)).joints[0].drift <= 1e-15);
   spec.shapes = {circle(0.5, {0.25, 0})};
-  CHECK(edit_refusal([&] { chain.scene.change({1}, spec); }) ==
+  CHECK(message_of([&] { chain.scene.change({1}, spec); }) ==
         "Scene::change: shapes must be around the body's centre of mass, (0, 0) m, while it has joints, got "
         "(0.25, 0)");
   CHECK(chain.scene.bodies()[{1}].mass == doctest::Approx(0.21));
@@ -152,7 +145,7 @@ TEST_CASE("a scene into which a world's present is written goes on as that world
 TEST_CASE("a static body is not placed with a velocity") {
   Scene scene;
   const BodyId wall = scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}});
-  CHECK(edit_refusal([&] {
+  CHECK(message_of([&] {
           scene.place(wall, {{1, 0}, 0}, {0, 3, 4});
         }) == "Scene::place: velocity must be 0 for a static body, got 5");
   CHECK(scene.bodies()[wall].pose.position == Vec2<double>(0, 0));

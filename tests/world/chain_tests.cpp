@@ -1,23 +1,11 @@
 // Chains: one side, smooth corners, ends that go on, and bodies that carry them.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "world/grounds.hpp"
 
 namespace cairn {
 namespace {
 
 using namespace seams;
-
-Pose<double> pose_after(const Scene& scene, BodyId body, int steps) {
-  World<double> world(scene);
-  SequentialImpulse<double> solver;
-  for (int i = 0; i < steps; ++i) world.step(solver);
-  return world.bodies().pose[body];
-}
+using namespace testing;
 
 constexpr double bowl_radius = 5;  // [m]
 
@@ -116,9 +104,7 @@ TEST_CASE("nothing falls through a chain at 20 m/s, neither on a link nor in a c
   for (const Target& target : targets) {
     for (const Shape<double>& body : bodies) {
       for (const double start : target.starts) {
-        World<double> world(shot_at(body, chain(target.line), {start, 4}));
-        SequentialImpulse<double> solver;
-        for (int i = 0; i < 60; ++i) world.step(solver);
+        World<double> world = world_after(shot_at(body, chain(target.line), {start, 4}), 60);
         const Vec2<double> place = world.bodies().pose[{2}].position;
         CAPTURE(target.line[0].x());
         CAPTURE(target.line[0].y());
@@ -154,15 +140,13 @@ TEST_CASE("a room is a closed chain that runs clockwise, a block one that runs c
   inside.add(still(chain(room, {.closed = true}), 0.3));
   for (int i = 0; i < 4; ++i)
     inside.add({.shapes = {box(0.3, 0.3)}, .position = {0.4 * i - 0.6, 0.2 * i}, .velocity = {9, 5}});
-  World<double> world(inside);
-  SequentialImpulse<double> solver;
-  for (int i = 0; i < 120; ++i) world.step(solver);
+  World<double> world = world_after(inside, 120);
   for (int i = 0; i < 4; ++i) CHECK(world.bodies().pose[{2 + i}].position.cwiseAbs().maxCoeff() < 0.86);
 
   Scene outside;
   outside.add(still(chain({room.rbegin(), room.rend()}, {.closed = true}), 0.3));
   const BodyId body = outside.add({.shapes = {box(0.3, 0.3)}, .position = {0.2, 1.5}});
-  CHECK(pose_after(outside, body, 120).position.y() == doctest::Approx(1.15).epsilon(0.006));
+  CHECK(pose_of(world_after(outside, 120), body).position.y() == doctest::Approx(1.15).epsilon(0.006));
 }
 
 TEST_CASE("a chain on a kinematic body carries what stands on it over its corners") {
@@ -184,7 +168,7 @@ TEST_CASE("a disc that rolls off the end of a chain goes on as the points behind
     Scene scene({.dt = 1.0 / 960});
     scene.add(still(chain({{0, 0}, {-4, 0}}, ends)));
     scene.add({.shapes = {circle(0.5)}, .position = {-0.5, 0.5}, .velocity = {1, 0}, .friction = 0});
-    return pose_after(scene, {2}, 960);
+    return pose_of(world_after(scene, 960), {2});
   };
   // It comes to the end after 0.5 s. Straight on, it then falls freely: g t^2 / 2 = 1.25 m, x = 0.5 m.
   const Pose<double> straight = place_after({});

@@ -1,17 +1,10 @@
 // What may touch what: categories, sensors, joints that let bodies collide, and bullets.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "constraints/distance_joint.hpp"
-#include "geometry/shape.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/system_matrix.hpp"
-#include "world/world.hpp"
-
 #include <Eigen/QR>
 
+#include "testing.hpp"
+
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -30,11 +23,6 @@ World<double> bullet_and_wall(double speed, double restitution = 0) {
 
 double bullet_x(const World<double>& world) { return world.bodies().pose[{2}].position.x(); }
 
-void take_steps_of_choice(World<double>& world, int steps) {
-  SequentialImpulse<double> solver;
-  for (int step = 0; step < steps; ++step) world.step(solver);
-}
-
 }  // namespace
 
 TEST_CASE("a bullet never passes a thin wall, at any speed up to 1e5 m/s") {
@@ -42,7 +30,7 @@ TEST_CASE("a bullet never passes a thin wall, at any speed up to 1e5 m/s") {
     CAPTURE(speed);
     World<double> world = bullet_and_wall(speed);
     for (int step = 0; step < 300; ++step) {
-      take_steps_of_choice(world, 1);
+      take_steps(world, 1);
       CHECK(bullet_x(world) <= -0.05 + 1e-9 * speed);  // at the wall, but for the rounding of C / dt * dt
     }
     CHECK(world.bodies().velocity[{2}].x() <= 1e-9 * speed);
@@ -51,7 +39,7 @@ TEST_CASE("a bullet never passes a thin wall, at any speed up to 1e5 m/s") {
 
 TEST_CASE("a bullet rebounds with e of its speed, as any other") {
   World<double> world = bullet_and_wall(1e3, 0.5);
-  take_steps_of_choice(world, 3);
+  take_steps(world, 3);
   CHECK(world.bodies().velocity[{2}].x() == doctest::Approx(-500).epsilon(1e-12));
 }
 
@@ -62,7 +50,7 @@ TEST_CASE("bodies touch only if each accepts the other's category") {
     scene.add({.shapes = {circle(1)}, .category = category_a, .collides_with = with_a});
     scene.add({.shapes = {circle(1)}, .position = {1.5, 0}, .category = category_b, .collides_with = with_b});
     World world(scene);
-    take_steps_of_choice(world, 1);
+    take_steps(world, 1);
     return world.last_step().problem.row_count();
   };
   CHECK(rows_between(1, ~0u, 1, ~0u) == 2);
@@ -80,7 +68,7 @@ TEST_CASE("a sensor names what touches it, and neither pushes nor is pushed") {
   int sensed = 0;
   for (int step = 0; step < 60; ++step) {
     const double x = world.bodies().pose[{2}].position.x();
-    take_steps_of_choice(world, 1);
+    take_steps(world, 1);
     const bool overlaps = std::abs(x) < 1.5;
     CHECK((world.last_step().sensed.size() == 1) == overlaps);
     sensed += overlaps;
@@ -97,7 +85,7 @@ TEST_CASE("joined bodies collide where the scene lets them") {
     const BodyId b = scene.add({.shapes = {circle(1)}, .position = {1.5, 0}, .friction = 0});
     scene.join<DistanceJoint>({.a = a, .b = b, .anchor_a = {0, 0}, .anchor_b = {1.5, 0}}, collision);
     World world(scene);
-    take_steps_of_choice(world, 1);
+    take_steps(world, 1);
     const bool collide = collision == JointCollision::on;
     CHECK(world.last_step().problem.contacts.size() == (collide ? 1u : 0u));
     CHECK(snapshot(world).apart.size() == (collide ? 0u : 1u));

@@ -1,12 +1,11 @@
 // Manifolds that last longer than a substep: what stays the same to the bit, and what differs by how much.
-#include <doctest/doctest.h>
-
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 namespace cairn {
 namespace {
+
+using namespace testing;
 
 /// Boxes on each other, tilted, that slide and fall over; a disc that rolls.
 Scene tumbling_scene(ContactSearch search, int substeps, double dt = 1.0 / 60) {
@@ -20,31 +19,7 @@ Scene tumbling_scene(ContactSearch search, int substeps, double dt = 1.0 / 60) {
 }
 
 Scene resting_pyramid(ContactSearch search, int substeps) {
-  Scene scene({.substeps = substeps, .contact_search = search});
-  scene.add_ground();
-  for (int row = 0; row < 5; ++row) {
-    for (int i = 0; i < 5 - row; ++i) {
-      scene.add({.shapes = {box(1, 1)}, .position = {i + 0.5 * row, 0.5 + row}});
-    }
-  }
-  return scene;
-}
-
-World<double> world_after(Scene scene, int steps) {
-  World<double> world(std::move(scene));
-  SequentialImpulse<double> solver({.iterations = 20});
-  for (int i = 0; i < steps; ++i) world.step(solver);
-  return world;
-}
-
-bool identical(const World<double>& one, const World<double>& other) {
-  bool same = one.bodies().velocity == other.bodies().velocity &&
-              one.last_step().problem.impulse == other.last_step().problem.impulse;
-  for (const BodyId body : one.bodies().pose.indices()) {
-    const Pose<double>&left = one.bodies().pose[body], &right = other.bodies().pose[body];
-    same = same && left.position == right.position && left.angle == right.angle;
-  }
-  return same;
+  return samples::pyramid({.base = 5}, {.substeps = substeps, .contact_search = search});
 }
 
 /// [m] The farthest that a body stands apart in two worlds.
@@ -59,8 +34,8 @@ double farthest_apart(const World<double>& one, const World<double>& other) {
 }  // namespace
 
 TEST_CASE("looking for contacts every step is looking every substep where a step has one") {
-  CHECK(identical(world_after(tumbling_scene(ContactSearch::every_step, 1), 120),
-                  world_after(tumbling_scene(ContactSearch::every_substep, 1), 120)));
+  CHECK(same_state(world_after(tumbling_scene(ContactSearch::every_step, 1), 120, 20),
+                   world_after(tumbling_scene(ContactSearch::every_substep, 1), 120, 20)));
 }
 
 TEST_CASE("one search a step and one a substep differ by the second order of the step at least") {
@@ -93,32 +68,28 @@ TEST_CASE("one search a step and one a substep differ by the second order of the
 TEST_CASE("a pyramid that rests stands as high whatever the search, and as still") {
   for (const int substeps : {1, 4}) {
     CAPTURE(substeps);
-    const World<double> reference = world_after(resting_pyramid(ContactSearch::every_substep, substeps), 180);
+    const World<double> reference =
+        world_after(resting_pyramid(ContactSearch::every_substep, substeps), 180, 20);
     for (const ContactSearch search : {ContactSearch::every_step, ContactSearch::when_moved}) {
       // Less than the slop of 5 mm, within which nothing says where a body stands.
-      CHECK(farthest_apart(world_after(resting_pyramid(search, substeps), 180), reference) < 0.001);
+      CHECK(farthest_apart(world_after(resting_pyramid(search, substeps), 180, 20), reference) < 0.001);
     }
   }
 }
 
 TEST_CASE("a copy of a world that keeps its manifolds goes on with the same bits") {
-  World<double> world = world_after(tumbling_scene(ContactSearch::when_moved, 2), 40);
+  World<double> world = world_after(tumbling_scene(ContactSearch::when_moved, 2), 40, 20);
   World<double> twin = world;
-  SequentialImpulse<double> one({.iterations = 20}), other({.iterations = 20});
-  for (int i = 0; i < 40; ++i) {
-    world.step(one);
-    twin.step(other);
-  }
-  CHECK(identical(world, twin));
+  take_steps(world, 40, 20);
+  take_steps(twin, 40, 20);
+  CHECK(same_state(world, twin));
 }
 
 TEST_CASE("the problem that a world tells of is the one that its next step solves, manifolds kept or not") {
-  for (const ContactSearch search :
-       {ContactSearch::every_substep, ContactSearch::every_step, ContactSearch::when_moved}) {
-    World<double> world = world_after(tumbling_scene(search, 1), 25);
+  for (const ContactSearch search : every_search) {
+    World<double> world = world_after(tumbling_scene(search, 1), 25, 20);
     const VelocityProblem<double> told = world.velocity_problem();
-    SequentialImpulse<double> solver({.iterations = 0});
-    world.step(solver);
+    take_steps(world, 1, 0);
     const VelocityProblem<double>& solved = world.last_step().problem;
     REQUIRE(told.row_count() == solved.row_count());
     CHECK(told.impulse == solved.impulse);
@@ -135,12 +106,9 @@ TEST_CASE("what arrives within a step is met in the substep in which it arrives"
     Scene scene({.substeps = 4, .contact_search = search});
     scene.add_ground();
     const BodyId ball = scene.add({.shapes = {circle(0.2)}, .position = {0, 0.36}, .velocity = {0, -6}});
-    World<double> world(std::move(scene));
-    SequentialImpulse<double> solver({.iterations = 10});
-    world.step(solver);
-    world.step(solver);
-    CHECK(world.bodies().pose[ball].position.y() > 0.2 - 0.026);
-    CHECK(world.bodies().velocity[ball].y() > -0.5);
+    const World<double> world = world_after(scene, 2);
+    CHECK(pose_of(world, ball).position.y() > 0.2 - 0.026);
+    CHECK(velocity_of(world, ball).y() > -0.5);
   }
 }
 

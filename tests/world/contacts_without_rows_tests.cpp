@@ -1,33 +1,28 @@
 // Contacts solved as they are, and the same contacts as rows: to the last bit.
-#include <doctest/doctest.h>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
 #include "leaning_wall.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/residual.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
-#include "world/world.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
 
 namespace {
 
-/// A leaning wall after 40 steps, and one that was observed all the while.
-struct Twins {
-  World<double> world{leaning_wall({})}, observed{leaning_wall({})};
-  WideSequentialImpulse<double> solver{{.iterations = 4}}, watched{{.iterations = 4}};
+/// A leaning wall after 40 steps.
+WithRowsAndWithout<double> twins_after_40() {
+  WithRowsAndWithout<double> twins(leaning_wall({}));
+  twins.steps(40);
+  return twins;
+}
 
-  Twins() {
-    Onlooker<double> onlooker;
-    for (int step = 0; step < 40; ++step) {
-      world.step(solver);
-      observed.step(watched, &onlooker);
-    }
+template <Scalar Real>
+void check_steps(const Scene& scene, const SolverSettings& settings, Momentum momentum, LaneSet set) {
+  WithRowsAndWithout<Real> twins(scene, settings, momentum, set);
+  for (int step = 0; step < 90; ++step) {
+    twins.step();
+    if (step % 9 == 0) twins.check_alike();
   }
-};
+  CHECK(twins.world.last_step().problem.contacts.size() > 40);
+  CHECK(same_motion(twins.world, twins.observed));
+}
 
 List<Scene> walls() {
   List<Scene> scenes;
@@ -77,25 +72,23 @@ TEST_CASE("without rows too, an answer is as near as its tolerance asks") {
 }
 
 TEST_CASE("a solver may be given rows and contacts without them by turns") {
-  World<double> world(leaning_wall({})), observed(leaning_wall({}));
-  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
-  Onlooker<double> onlooker;
+  WithRowsAndWithout<double> twins(leaning_wall({}));
   for (int step = 0; step < 60; ++step) {
-    world.step(solver, step % 3 == 1 ? &onlooker : nullptr);
-    observed.step(watched, &onlooker);
+    twins.world.step(twins.wide, step % 3 == 1 ? &twins.onlooker : nullptr);
+    twins.observed.step(twins.watched, &twins.onlooker);
   }
-  check_same(world, observed);
+  twins.check_alike();
 }
 
 TEST_CASE("the record of a step without rows is that step's, whenever it is asked for") {
-  Twins twins;
+  WithRowsAndWithout<double> twins = twins_after_40();
   const World<double> copy = twins.world;
-  for (int step = 0; step < 5; ++step) twins.world.step(twins.solver);
+  take_steps(twins.world, twins.wide, 5);
   check_same_record(with_rows(copy), with_rows(twins.observed));
 }
 
 TEST_CASE("neither another dt nor a hand changes the record of the step before") {
-  const Twins twins;
+  const WithRowsAndWithout<double> twins = twins_after_40();
   World<double> with_other_dt = twins.world, with_a_hand = twins.world;
   with_other_dt.set_dt(0.005);
   with_a_hand.move_hand(HandInput::grab({.body = BodyId{7}, .target = {3, 9}}));
@@ -104,23 +97,17 @@ TEST_CASE("neither another dt nor a hand changes the record of the step before")
 }
 
 TEST_CASE("masses that change in mid-run reach the lanes") {
-  World<double> world(leaning_wall({})), observed(leaning_wall({}));
-  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
-  Onlooker<double> onlooker;
-  const auto make_heavier = [](Scene& scene) {
-    BodySpec spec = scene.bodies()[BodyId{5}].spec;
-    spec.density *= 10;
-    scene.change(BodyId{5}, spec);
-  };
-  for (int step = 0; step < 80; ++step) {
-    if (step == 60) {
-      world.edit(make_heavier);
-      observed.edit(make_heavier);
-    }
-    world.step(solver);
-    observed.step(watched, &onlooker);
-  }
-  check_same(world, observed);
+  WithRowsAndWithout<double> twins(leaning_wall({}));
+  twins.steps(60);
+  twins.change([](World<double>& world) {
+    world.edit([](Scene& scene) {
+      BodySpec spec = scene.bodies()[BodyId{5}].spec;
+      spec.density *= 10;
+      scene.change(BodyId{5}, spec);
+    });
+  });
+  twins.steps(20);
+  CHECK(same_motion(twins.world, twins.observed));
 }
 
 TEST_CASE("patience, split impulses and one row of friction for two points ask for rows") {

@@ -1,11 +1,7 @@
 // What is slow because it is driven slowly, and must not fall asleep; and a pile that must.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "../geometry/random_shapes.hpp"
+#include "geometry/random_shapes.hpp"
+#include "samples/samples.hpp"
 #include "sleeping_worlds.hpp"
-#include "solvers/exact/newton_solver.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -66,13 +62,8 @@ TEST_CASE("a strongly damped spring draws its load home before it sleeps") {
   Scene scene({.gravity = {0, 0}, .sleeping = usual_sleeping});
   const double stiffness = 4, damping = 100;
   const BodyId sledge = scene.add({.shapes = {box(0.4, 0.4)}, .position = {1, 0}, .mass = 1});
-  scene.join<DistanceJoint>({.a = ground,
-                             .b = sledge,
-                             .anchor_a = {-3, 0},
-                             .anchor_b = {1, 0},
-                             .length = 3,
-                             .kind = DistanceJoint::Kind::spring,
-                             .softness = SpringSoftness{.stiffness = stiffness, .damping = damping}});
+  samples::hang(scene, sledge, {-3, 0},
+                samples::spring(3, SpringSoftness{.stiffness = stiffness, .damping = damping}));
   World<double> world(scene);
   sleep_steps(world, 1200, 1);
   const double rate = (damping - std::sqrt(damping * damping - 4 * stiffness)) / 2;  // [1/s], about k / c

@@ -2,12 +2,8 @@
 #pragma once
 
 #include <bit>
-#include <stdexcept>
-#include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "geometry/shape.hpp"
-#include "world/scene.hpp"
+#include "testing.hpp"
 
 namespace cairn::testing {
 
@@ -40,17 +36,6 @@ inline List<std::uint64_t> bits_of(const SceneBody& body) {
   List<std::uint64_t> bits;
   for (const double number : numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
   return bits;
-}
-
-/// What a function is refused with; empty if it is not.
-template <typename Edit>
-std::string edit_refusal(const Edit& edit) {
-  try {
-    edit();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// A chain of three balls from the ground; balls 1 and 2 are held by two joints.

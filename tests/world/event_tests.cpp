@@ -1,17 +1,6 @@
 // What happens to a scene while it runs, held against closed forms.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "geometry/shape.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
+#include "testing.hpp"
 #include "world/edited_scenes.hpp"
-#include "world/world.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -20,12 +9,6 @@ namespace {
 
 const double event_dt = 1.0 / 64;     // [s] exact, so that sums of it are
 const double event_rounding = 1e-13;  // of some hundred operations with numbers of about 10
-
-template <Scalar Real>
-void take_steps(World<Real>& world, int count) {
-  SequentialImpulse<Real> solver({.iterations = 20});
-  for (int step = 0; step < count; ++step) world.step(solver);
-}
 
 /// A disc of 2 kg and 1 m that is welded to the ground.
 struct HeldDisc {
@@ -56,8 +39,7 @@ TEST_CASE("what loses its support falls from the first step that begins at the t
       } else {
         scene.add({.time = time, .action = RemoveBody{peg}});  // and its rod
       }
-      World<double> world(scene);
-      take_steps(world, 32);
+      World<double> world = world_after(scene, 32);
       CHECK(std::abs(world.bodies().pose[disc].position.y()) <= event_rounding);
       CHECK(world.scene().joints().size() == 1);
       take_steps(world, 32);
@@ -81,8 +63,7 @@ TEST_CASE("an impulse changes a velocity by J / m and its turning by r x J / I, 
                                      .mass = 4,
                                      .inertia = 0.25});
     scene.add({.time = 0, .action = PushBody{.body = box_id, .impulse = {2, -6}, .point = {0.5, 0}}});
-    World<Real> world(scene);
-    take_steps(world, 1);
+    World<Real> world = world_after<Real>(scene, 1);
     const Vec3<Real>& velocity = world.bodies().velocity[box_id];
     // The arm of (0.5, 0) in the body has turned to (0, 0.5): r x J = -0.5 * 2.
     const double rounding = 8 * static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -98,8 +79,7 @@ TEST_CASE("an impulse at the centre of what never turns does not turn it") {
   Scene scene({.gravity = {0, 0}, .dt = event_dt});
   const BodyId disc = scene.add({.shapes = {circle(1)}, .mass = 2, .fixed_rotation = true});
   scene.add({.time = 0, .action = PushBody{.body = disc, .impulse = {2, 0}, .point = {0, 1}}});
-  World<double> world(scene);
-  take_steps(world, 1);
+  World<double> world = world_after(scene, 1);
   CHECK(world.bodies().velocity[disc] == Vec3<double>(1, 0, 0));
 }
 
@@ -129,8 +109,7 @@ TEST_CASE("the motor of a slide is switched likewise") {
   const BodyId slider = scene.add({.shapes = {box(1, 1)}, .mass = 2});
   const JointId slide = scene.join<PrismaticJoint>({.b = slider, .axis = {1, 0}});
   scene.add({.time = 0, .action = SwitchMotor{slide, JointMotor{.speed = 0.75, .max_force = 4}}});
-  World<double> world(scene);
-  take_steps(world, 16);
+  World<double> world = world_after(scene, 16);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(4.0 / 2 * 0.25).epsilon(event_rounding));
   take_steps(world, 16);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(0.75).epsilon(event_rounding));
@@ -147,8 +126,7 @@ TEST_CASE("what an event touches wakes up, and nothing else") {
                                    SwitchMotor{axle, JointMotor{.speed = 1, .max_force = 10}},
                                    RemoveJoint{axle}};
     scene.add({.time = 1, .action = actions[kind]});
-    World<double> world(scene);
-    take_steps(world, 64);
+    World<double> world = world_after(scene, 64);
     REQUIRE_FALSE(world.is_awake(disc));
     take_steps(world, 1);
     CHECK(world.is_awake(disc));
@@ -159,8 +137,7 @@ TEST_CASE("what an event touches wakes up, and nothing else") {
 TEST_CASE("a world that is copied before an event goes on as the other, and the problem ahead has it in it") {
   HeldDisc of;
   of.scene.add({.time = 0.125, .action = RemoveJoint{of.weld}});
-  World<double> world(of.scene);
-  take_steps(world, 8);
+  World<double> world = world_after(of.scene, 8);
   const World<double> before = world;
   CHECK(before.velocity_problem().row_count() == 0);
   CHECK(before.scene().joints().size() == 1);  // it was only looked at
@@ -177,8 +154,7 @@ TEST_CASE("steps of 1/60 s, whose sums are rounded, bring an event neither early
     Scene scene({.gravity = {0, 0}});
     const BodyId disc = scene.add({.shapes = {circle(1)}});
     scene.add({.time = step / 60.0, .action = PushBody{.body = disc, .impulse = {1, 0}}});
-    World<double> world(scene);
-    take_steps(world, step);
+    World<double> world = world_after(scene, step);
     CHECK(world.bodies().velocity[disc].x() == 0);
     take_steps(world, 1);
     CHECK(world.bodies().velocity[disc].x() > 0);
@@ -202,7 +178,7 @@ TEST_CASE("an event is forgotten with its body or its joint") {
 TEST_CASE("events that cannot be are refused") {
   HeldDisc of;
   const auto refusal = [&](double time, const SceneAction& action) {
-    return edit_refusal([&] { of.scene.add({.time = time, .action = action}); });
+    return message_of([&] { of.scene.add({.time = time, .action = action}); });
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(refusal(-1, RemoveBody{of.disc}) == "Scene::add: time must be finite and >= 0 s, got -1");

@@ -1,14 +1,10 @@
 // Pairs that go by each other at random: who is stopped, against what would have touched.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
 
-#include "cairn.hpp"
-#include "collision/collide.hpp"
+#include "world/overlaps.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -63,7 +59,6 @@ Scene passing_pair(Dice& dice, BodyType type, bool turns) {
 
 /// [m] How near the second body comes to the first one in free motion, in fine steps.
 double least_gap(const World<double>& world) {
-  const Scene& scene = world.scene();
   const Pose<double> from = world.bodies().pose[{2}];
   const Vec3<double> v = world.bodies().velocity[{2}];
   double least = 1e3;
@@ -71,10 +66,7 @@ double least_gap(const World<double>& world) {
   for (int k = 0; k <= fine && least > 0; ++k) {
     const double time = passing_steps / 60.0 * k / fine;
     const Pose<double> then{from.position + time * v.head<2>(), from.angle + time * v.z()};
-    const Manifold<double> found =
-        collide<double>(scene.bodies()[{1}].spec.shapes[0], world.bodies().pose[{1}],
-                        scene.bodies()[{2}].spec.shapes[0], then, 1e3);
-    for (int i = 0; i < found.count; ++i) least = std::min(least, found.points[i].separation);
+    least = std::min(least, -overlap(world.scene(), {1}, pose_of(world, {1}), {2}, then));
   }
   return least;
 }
@@ -91,12 +83,7 @@ Passing pass(World<double> world) {
   NewtonSolver<double> solver;
   for (int i = 0; i < passing_steps; ++i) {
     world.step(solver);
-    const Scene& scene = world.scene();
-    const Manifold<double> found =
-        collide<double>(scene.bodies()[{1}].spec.shapes[0], world.bodies().pose[{1}],
-                        scene.bodies()[{2}].spec.shapes[0], world.bodies().pose[{2}], 1e3);
-    for (int k = 0; k < found.count; ++k)
-      result.overlap = std::max(result.overlap, -found.points[k].separation);
+    result.overlap = std::max(result.overlap, overlap(world, {1}, {2}));
   }
   result.change = (world.bodies().velocity[{2}] - before).head<2>().norm() / before.head<2>().norm();
   return result;

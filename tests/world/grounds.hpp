@@ -1,10 +1,7 @@
 // Grounds of one form in several makings, solvers and policies: what tests of seams go through.
 #pragma once
 
-#include <memory>
-#include <string>
-
-#include "cairn.hpp"
+#include "testing.hpp"
 
 namespace cairn::seams {
 

@@ -1,9 +1,5 @@
 // The hand alone: what it does, refuses and lets go of.
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-
-#include "world/hand.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

@@ -1,30 +1,22 @@
 // A hand that drags bodies of a world, and repeats what it did.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "yard.hpp"
 
 namespace cairn {
 
-using test::go_alike;
-using test::run_steps;
-using test::Yard;
+using namespace testing;
 
 TEST_CASE("a hand drags a body to where it pulls, wakes it, and lets go") {
   Yard yard({.sleeping = Sleeping{}});
   World<double> world(yard.scene);
-  run_steps(world, 120);
+  take_steps(world, 120);
   REQUIRE(!world.is_awake(yard.lonely));
   world.move_hand(
       HandInput::grab({.body = yard.lonely, .anchor = {-20, 0.5}, .target = {-20, 0.5}, .max_force = 200}));
   for (int i = 0; i < 120; ++i) {
     world.move_hand(HandInput::drag_to({-20 + 0.02 * i, 3}));
-    run_steps(world, 1);
+    take_steps(world, 1);
   }
-  run_steps(world, 60);
+  take_steps(world, 60);
   CHECK(world.is_awake(yard.lonely));
   // The spring of 5 Hz gives way to the weight by g / omega^2.
   const double sag = 10 / std::pow(2 * pi * 5, 2);
@@ -35,7 +27,7 @@ TEST_CASE("a hand drags a body to where it pulls, wakes it, and lets go") {
   CHECK(seen.joints.back().impulse.y() / seen.dt == doctest::Approx(10).epsilon(0.01));  // its weight: 1 kg
   world.move_hand(HandInput::let_go());
   CHECK(world.hand().joint() == nullptr);
-  run_steps(world, 30);
+  take_steps(world, 30);
   CHECK(world.bodies().pose[yard.lonely].position.y() < 2.5);
 }
 
@@ -49,14 +41,14 @@ TEST_CASE("a run with a hand is repeated from its inputs, over edits and sleep")
     if (i > 50 && i < 120) world.move_hand(HandInput::drag_to({1 + 0.03 * (i - 50), 5 + std::sin(0.1 * i)}));
     if (i == 80) world.edit(add_ball);
     if (i == 120) world.move_hand(HandInput::let_go());
-    run_steps(world, 1);
+    take_steps(world, 1);
   }
   World<double> again = begin();
   auto input = world.hand().inputs().begin();
   for (int i = 0; i < 200; ++i) {
     for (; input != world.hand().inputs().end() && input->step == i; ++input) again.move_hand(*input);
     if (i == 80) again.edit(add_ball);
-    run_steps(again, 1);
+    take_steps(again, 1);
   }
   CHECK(go_alike(world, again));
   CHECK(again.hand().inputs().size() == world.hand().inputs().size());

@@ -1,10 +1,7 @@
 // A wall whose contacts come and go, and its steps with rows and without.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include "solvers/wide/wide_sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 namespace cairn::testing {
 
@@ -32,20 +29,8 @@ template <Scalar Real>
 class Onlooker final : public SolveObserver<Real> {};
 
 template <Scalar Real>
-void check_same(const World<Real>& one, const World<Real>& other) {
-  for (const BodyId body : one.bodies().pose.indices()) {
-    CHECK(one.bodies().velocity[body] == other.bodies().velocity[body]);
-    CHECK(one.bodies().pose[body].position == other.bodies().pose[body].position);
-    CHECK(one.bodies().pose[body].angle == other.bodies().pose[body].angle);
-  }
-}
-
-template <Scalar Real>
 void check_same_record(const StepRecord<Real>& one, const StepRecord<Real>& other) {
-  REQUIRE(one.problem.row_count() == other.problem.row_count());
-  CHECK(one.problem.impulse == other.problem.impulse);
-  CHECK(one.problem.velocity == other.problem.velocity);
-  CHECK(one.problem.dt == other.problem.dt);
+  check_same_problem(one.problem, other.problem);
   CHECK(one.is_new == other.is_new);
   CHECK(one.problem.blocks.size() == other.problem.blocks.size());
   const List<Contact<Real>>&contacts = one.problem.contacts, &others = other.problem.contacts;
@@ -62,36 +47,53 @@ void check_same_record(const StepRecord<Real>& one, const StepRecord<Real>& othe
       CHECK(manifold.points[k].feature == expected.points[k].feature);
     }
   }
-  for (int i = 0; i < one.problem.row_count(); ++i) {
-    const ConstraintRow<Real>&row = one.problem.rows[i], &expected = other.problem.rows[i];
-    CHECK(row.key == expected.key);
-    CHECK(row.a == expected.a);
-    CHECK(row.b == expected.b);
-    CHECK(row.jacobian_a == expected.jacobian_a);
-    CHECK(row.jacobian_b == expected.jacobian_b);
-    CHECK(row.bias == expected.bias);
-    CHECK(row.softness == expected.softness);
-    CHECK(row.bounds.normal_row == expected.bounds.normal_row);
-    CHECK(row.bounds.friction == expected.bounds.friction);
-  }
 }
 
+/// Two worlds take the same steps: one with contacts as they are, where its solver takes them so, and one
+/// with rows in every step, for it is observed.
 template <Scalar Real>
-void check_steps(const Scene& scene, const SolverSettings& settings, Momentum momentum, LaneSet set) {
-  World<Real> world(scene), observed(scene);
-  WideSequentialImpulse<Real> solver(settings, momentum, set), watched(solver);
+struct WithRowsAndWithout {
+  World<Real> world, observed;
+  WideSequentialImpulse<Real> wide, watched;
+  SequentialImpulse<Real> plain{{.iterations = 4}};
   Onlooker<Real> onlooker;
-  for (int step = 0; step < 90; ++step) {
-    const StepReport report = world.step(solver);
-    const StepReport expected = observed.step(watched, &onlooker);
+
+  explicit WithRowsAndWithout(const Scene& scene, const SolverSettings& settings = {.iterations = 4},
+                              Momentum momentum = Momentum::none, LaneSet set = widest_lane_set())
+      : world(scene), observed(scene), wide(settings, momentum, set), watched(wide) {}
+
+  template <typename Change>
+  void change(const Change& change) {
+    change(world);
+    change(observed);
+  }
+  /// Whether it was done. `by_rows`: by a solver that takes no contacts.
+  bool step(bool by_rows = false) {
+    const auto solver = [&](WideSequentialImpulse<Real>& in_lanes) -> Solver<Real>& {
+      if (by_rows) return plain;
+      return in_lanes;
+    };
+    const StepReport expected = observed.step(solver(watched), &onlooker);
+    const StepReport report = world.step(solver(wide));
     CHECK(report.rows == expected.rows);
     CHECK(report.contacts == expected.contacts);
+    CHECK(report.too_deep == expected.too_deep);
     CHECK(report.sweeps == expected.sweeps);
     CHECK(report.solve.stop == expected.solve.stop);
-    if (step % 9 == 0) check_same_record(with_rows(world), with_rows(observed));
+    CHECK(report.not_finite == expected.not_finite);
+    return !report.not_finite;
   }
-  CHECK(world.last_step().problem.contacts.size() > 40);
-  check_same(world, observed);
-}
+  void steps(int count) {
+    for (int step_number = 0; step_number < count; ++step_number) step();
+  }
+  void check_alike() {
+    CHECK(same_motion(world, observed));
+    check_same_record(with_rows(world), with_rows(observed));
+  }
+  void check_alike_ahead() {
+    check_alike();
+    CHECK(world.velocity_problem().impulse == observed.velocity_problem().impulse);
+  }
+};
 
 }  // namespace cairn::testing

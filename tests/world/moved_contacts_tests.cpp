@@ -1,11 +1,7 @@
 // Manifolds that move with their bodies, and solvers that take their contacts without rows: to the bits of
 // rows.
-#include <doctest/doctest.h>
-
-#include <limits>
-
 #include "leaning_wall.hpp"
-#include "math/list.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -20,35 +16,20 @@ SceneSettings in_substeps(int substeps, ContactSearch search = ContactSearch::ev
 
 /// Boxes in a pyramid, and a disc beside it.
 Scene pyramid_and_disc(const SceneSettings& settings) {
-  Scene scene(settings);
-  scene.add_ground();
-  for (int row = 0; row < 6; ++row) {
-    for (int i = 0; i < 6 - row; ++i) {
-      scene.add({.shapes = {box(1, 1)}, .position = {1.2 * i + 0.6 * row, 0.5 + row}});
-    }
-  }
-  scene.add({.shapes = {circle(0.3)}, .position = {-2, 0.3}});
+  Scene scene = samples::pyramid({.base = 6, .pitch = 1.2}, settings);
+  scene.add({.shapes = {circle(0.3)}, .position = {-5, 0.3}});
   return scene;
 }
 
-/// Steps both, one of them observed, and calls change(world) before every tenth step.
+/// Steps both worlds, and calls change(world) before every tenth step.
 template <Scalar Real, typename Change>
 void check_same_steps(const Scene& scene, int steps, const Change& change) {
-  World<Real> world(scene), observed(scene);
-  WideSequentialImpulse<Real> solver({.iterations = 4}), watched({.iterations = 4});
-  Onlooker<Real> onlooker;
+  WithRowsAndWithout<Real> twins(scene);
   for (int step = 0; step < steps; ++step) {
-    if (step % 10 == 9) {
-      change(world);
-      change(observed);
-    }
-    const StepReport report = world.step(solver), other = observed.step(watched, &onlooker);
-    CHECK(report.too_deep == other.too_deep);
-    CHECK(report.contacts == other.contacts);
-    CHECK(report.rows == other.rows);
+    if (step % 10 == 9) twins.change(change);
+    twins.step();
   }
-  check_same_record(with_rows(world), with_rows(observed));
-  check_same(world, observed);
+  twins.check_alike();
 }
 
 }  // namespace
@@ -103,8 +84,8 @@ TEST_CASE("one solver takes the steps of several worlds, and of their copies, as
   }
   step_both(copied);  // which knows the contacts of ten steps before
   step_both(shared);  // and those of two
-  check_same(world, own);
-  check_same(copy, own_copy);
+  CHECK(same_motion(world, own));
+  CHECK(same_motion(copy, own_copy));
 }
 
 TEST_CASE("a substep that ends in no number leaves the impulses of the substep before it") {
@@ -114,17 +95,9 @@ TEST_CASE("a substep that ends in no number leaves the impulses of the substep b
   Scene scene = pyramid_and_disc(in_substeps(3));
   const BodyId lost =
       scene.add({.shapes = {circle(0.1)}, .position = {0, 9}, .gravity_scale = 0, .collides_with = 0});
-  World<double> world(scene), observed(scene);
-  WideSequentialImpulse<double> solver({.iterations = 4}), watched({.iterations = 4});
-  Onlooker<double> onlooker;
-  world.set_velocity(lost, {most / 181.5 * 180, 0, 0});
-  observed.set_velocity(lost, {most / 181.5 * 180, 0, 0});
-  for (int step = 1; step <= 61; ++step) {
-    CHECK(world.step(solver).not_finite.has_value() == (step == 61));
-    observed.step(watched, &onlooker);
-  }
-  CHECK(world.bodies().pose[lost].position.x() > most / 181.5 * 180.5);  // the first substep was done
-  check_same(world, observed);
-  CHECK(world.velocity_problem().impulse == observed.velocity_problem().impulse);
-  check_same_record(with_rows(world), with_rows(observed));
+  WithRowsAndWithout<double> twins(scene);
+  twins.change([&](World<double>& world) { world.set_velocity(lost, {most / 181.5 * 180, 0, 0}); });
+  for (int step = 1; step <= 61; ++step) CHECK(twins.step() == (step < 61));
+  CHECK(pose_of(twins.world, lost).position.x() > most / 181.5 * 180.5);  // the first substep was done
+  twins.check_alike_ahead();
 }

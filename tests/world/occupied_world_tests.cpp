@@ -1,17 +1,9 @@
 // Whoever is called by a world may not change it meanwhile: every change is refused by name, and nothing is
 // lost.
-#include <doctest/doctest.h>
-
-#include <functional>
-#include <stdexcept>
-#include <string>
-
 #include "yard.hpp"
 
 using namespace cairn;
-using test::go_alike;
-using test::run_steps;
-using test::Yard;
+using namespace cairn::testing;
 
 namespace {
 
@@ -71,7 +63,7 @@ World<double> held_yard() {
   Scene scene = Yard().scene;
   scene.add({.time = 10.5 / 60, .action = RemoveBody{BodyId{3}}});
   World<double> world(scene);
-  run_steps(world, 10);
+  take_steps(world, 10);
   world.move_hand(HandInput::grab({.body = BodyId{2}, .target = {1, 5}}));
   return world;
 }
@@ -91,9 +83,7 @@ TEST_CASE("within an edit, every change of the same world is refused by name, an
     expected.edit(remove);
     CHECK(go_alike(world, expected));
     CHECK(world.hand().inputs().size() == expected.hand().inputs().size());
-    run_steps(world, 5);
-    run_steps(expected, 5);
-    CHECK(go_alike(world, expected));
+    CHECK(go_on_alike(world, expected, 5));
   }
 }
 
@@ -115,12 +105,12 @@ TEST_CASE("within a step, an observer's changes of its world are refused by name
     for (const NamedChange& change : every_change()) {
       CAPTURE(change.name);
       World<double> world = held_yard();
-      run_steps(world, steps_before);
+      take_steps(world, steps_before);
       World<double> expected = world;
       Meddler meddler(world, change);
       SequentialImpulse<double> solver({.iterations = 10});
       world.step(solver, &meddler);
-      run_steps(expected, 1);
+      take_steps(expected, 1);
       CHECK(meddler.refusal ==
             change.name + ": not from within World::step of the same world, which would lose it");
       CHECK(go_alike(world, expected));
@@ -149,7 +139,5 @@ TEST_CASE("a world that its own edit moves away is not edited") {
   CHECK_THROWS_AS(world.edit([&](Scene&) { away = std::move(world); }), std::logic_error);
   CHECK(go_alike(away, before));
   world = before;  // it can be had again
-  run_steps(world, 1);
-  run_steps(away, 1);
-  CHECK(go_alike(away, world));
+  CHECK(go_on_alike(world, away, 1));
 }

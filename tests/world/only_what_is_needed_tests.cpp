@@ -1,30 +1,20 @@
 // Steps do what the scene asks for and nothing else: rows, pairs, bodies, solves and memory are counted.
-#include <doctest/doctest.h>
-
 #include <set>
 #include <sstream>
-#include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/projected_gauss_seidel.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
 /// Boxes one on the other, on the ground.
 Scene tower_of_boxes(int boxes, double friction, const SceneSettings& settings = {}) {
-  Scene scene(settings);
-  scene.add_ground({.friction = friction});
-  for (int i = 0; i < boxes; ++i) {
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .friction = friction});
-  }
-  return scene;
+  BodySpec lowest = samples::standing_box();
+  lowest.friction = friction;
+  return samples::stack(boxes, settings, lowest);
 }
 
 StepReport report_of_one_step(const Scene& scene, int iterations = 10) {
@@ -117,12 +107,9 @@ TEST_CASE("a slack rope has no row until its slack is within the margin") {
   Scene scene({.gravity = {0, 0}});
   const double length = 3, margin = 0.25, speed = 1.7;
   const BodyId body = scene.add({.shapes = {circle(0.1)}, .position = {1, 0}, .velocity = {speed, 0}});
-  scene.join<DistanceJoint>({.a = ground,
-                             .b = body,
-                             .anchor_b = {1, 0},
-                             .length = length,
-                             .kind = DistanceJoint::Kind::rope,
-                             .slack_margin = margin});
+  DistanceJoint::Spec rope = samples::rope(length);
+  rope.slack_margin = margin;
+  samples::hang(scene, body, {0, 0}, rope);
   World world(scene);
   SequentialImpulse<double> solver;
   int with_row = 0;
@@ -149,9 +136,7 @@ TEST_CASE("bodies that cannot move never meet each other, and every row has a bo
     for (int i = 0; i < more_shapes; ++i) {
       scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}, .position = {100 + 0.1 * i, 0}});
     }
-    World world(scene);
-    SequentialImpulse<double> solver;
-    world.step(solver);
+    World<double> world = world_after(scene, 1);
     CHECK(world.last_step().problem.contacts.size() == 9);  // the disc with the ground and the eight
     for (const ConstraintRow<double>& row : world.last_step().problem.rows) {
       CHECK(inverse_effective_mass(world.last_step().problem, row) > 0);
@@ -166,8 +151,7 @@ TEST_CASE("a static body stays where it is to the last bit, whatever presses on 
   for (int i = 0; i < 4; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0.3, 1.4 + 1.1 * i}});
   World world(scene);
   const Pose<double> start = world.bodies().pose[shelf];
-  SequentialImpulse<double> solver;
-  for (int step = 0; step < 60; ++step) world.step(solver);
+  take_steps(world, 60);
   CHECK(world.last_step().problem.row_count() > 0);
   CHECK(world.bodies().pose[shelf].position == start.position);
   CHECK(world.bodies().pose[shelf].angle == start.angle);

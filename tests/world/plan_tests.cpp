@@ -1,12 +1,8 @@
 // What a scene needs, what is left out of its steps, and what the plan says about it.
-#include <doctest/doctest.h>
-
-#include "constraints/revolute_joint.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -93,8 +89,7 @@ TEST_CASE("no friction row is written where mu is 0 on either side, and one a co
   };
   for (const Case& row : {Case{0, 0.5, 0}, Case{0.5, 0, 0}, Case{0, 0, 0}, Case{0.5, 0.5, 1}}) {
     World world(plain_scene(row.ground, row.disc));
-    SequentialImpulse<double> solver;
-    const StepReport report = world.step(solver);
+    const StepReport report = take_steps(world, 1);
     CHECK(report.contacts == 1);
     CHECK(friction_rows(world) == row.rows);
     CHECK(report.rows == 1 + row.rows);
@@ -108,8 +103,7 @@ TEST_CASE("a scene in which nothing can meet has no contacts, even where shapes 
   scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}});
   scene.add({.type = BodyType::kinematic, .shapes = {box(1, 1)}});
   World world(scene);
-  SequentialImpulse<double> solver;
-  CHECK(world.step(solver).rows == 0);
+  CHECK(take_steps(world, 1).rows == 0);
   CHECK_FALSE(make_plan(world.scene()).collision);
   CHECK(says(make_plan(world.scene()), "nothing can meet"));
 }
@@ -127,9 +121,7 @@ TEST_CASE("bodies whose rotation is fixed are counted, and never turn") {
   const BodyId sledge = scene.add(
       {.shapes = {box(1, 4)}, .position = {0, 2}, .velocity = {3, 0}, .friction = 1, .fixed_rotation = true});
   scene.add({.shapes = {circle(1)}, .position = {5, 1}});
-  World world(scene);
-  SequentialImpulse<double> solver;
-  for (int step = 0; step < 30; ++step) world.step(solver);
+  World<double> world = world_after(scene, 30);
   CHECK(world.bodies().pose[sledge].angle == 0);
   CHECK(says(make_plan(world.scene()), "left out for 1 of 2 dynamic bodies: 1/I is 0"));
   CHECK(says(make_plan(world.scene()), "2 dynamic of 3; 5 velocities a step"));

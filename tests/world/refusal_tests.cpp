@@ -1,18 +1,10 @@
 // Every number of a scene that cannot be simulated is refused, and the message names field, rule, unit and
 // value.
-#include <doctest/doctest.h>
-
-#include <functional>
-#include <limits>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
 #include "math/check.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -27,15 +19,6 @@ struct Field {
   std::function<void(double)> use = {};
   List<double> out_of_range = {};
 };
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 
 void check_refusals(const std::string& place, const List<Field>& fields) {
   for (const Field& field : fields) {
@@ -60,27 +43,39 @@ void check_vector_refusals(const std::string& place, const List<Field>& fields) 
   }
 }
 
-/// A field of a body: `set` writes the value into the spec of a ball, which is then added to a scene.
-std::function<void(double)> for_a_ball(const std::function<void(BodySpec&, double)>& set) {
-  return [set](double value) {
-    BodySpec spec{.shapes = {circle(1)}, .position = {1, 0}, .velocity = {1, 0}};
-    set(spec, value);
+void set(double& member, double value) { member = value; }
+void set(std::optional<double>& member, double value) { member = value; }
+void set(Vec2<double>& member, double value) { member = {1, value}; }
+
+/// A field of a ball that is added to a scene, of settings that one is made with, and of its ground.
+template <typename Member>
+std::function<void(double)> of(Member BodySpec::*field) {
+  return [field](double value) {
+    BodySpec spec{.shapes = {circle(1)}};
+    set(spec.*field, value);
     Scene().add(spec);
   };
 }
-
-std::function<void(double)> for_settings(const std::function<void(SceneSettings&, double)>& set) {
-  return [set](double value) {
+template <typename Member>
+std::function<void(double)> of(Member SceneSettings::*field) {
+  return [field](double value) {
     SceneSettings settings;
-    set(settings, value);
+    set(settings.*field, value);
     Scene scene(settings);
   };
 }
-
-std::function<void(double)> for_the_ground(const std::function<void(GroundSpec&, double)>& set) {
-  return [set](double value) {
+template <typename Member>
+std::function<void(double)> of(Member Stabilization::*field) {
+  return [field](double value) {
+    SceneSettings settings;
+    set(settings.stabilization.*field, value);
+    Scene scene(settings);
+  };
+}
+std::function<void(double)> of(double GroundSpec::*field) {
+  return [field](double value) {
     GroundSpec spec;
-    set(spec, value);
+    spec.*field = value;
     Scene().add_ground(spec);
   };
 }
@@ -94,78 +89,35 @@ Scene scene_with_two_balls() {
 
 }  // namespace
 
-TEST_CASE("a place or a motion of a body that is not finite is refused by name") {
+TEST_CASE("a field of a body, of settings or of a ground that cannot be is refused by name") {
+  const std::string share = "in [0, 1]", mu = "from 0 to 1e6";
+  check_refusals("Scene::add",
+                 {{"angle", "a finite number of rad", of(&BodySpec::angle)},
+                  {"angular_velocity", "a finite number of rad/s", of(&BodySpec::angular_velocity)},
+                  {"gravity_scale", "a finite number", of(&BodySpec::gravity_scale)},
+                  {"mass", "from 1e-15 to 1e15 kg", of(&BodySpec::mass), {0, -1, 1e-16, 1e16}},
+                  {"inertia", "from 1e-15 to 1e15 kg m^2", of(&BodySpec::inertia), {0, -1, 1e-16, 1e16}},
+                  {"density", "> 0 kg/m^2 and finite", of(&BodySpec::density), {0, -1}},
+                  {"friction", mu, of(&BodySpec::friction), {-0.1, 1.1e6}},
+                  {"restitution", share, of(&BodySpec::restitution), {-0.1, 1.0001}},
+                  {"linear_damping", ">= 0 1/s and finite", of(&BodySpec::linear_damping), {-0.1}},
+                  {"angular_damping", ">= 0 1/s and finite", of(&BodySpec::angular_damping), {-0.1}}});
+  check_vector_refusals("Scene::add", {{"position", "finite numbers of m", of(&BodySpec::position)},
+                                       {"velocity", "finite numbers of m/s", of(&BodySpec::velocity)}});
+  using How = Stabilization;
   check_refusals(
-      "Scene::add",
-      {{"angle", "a finite number of rad", for_a_ball([](BodySpec& s, double x) { s.angle = x; })},
-       {"angular_velocity", "a finite number of rad/s",
-        for_a_ball([](BodySpec& s, double x) { s.angular_velocity = x; })},
-       {"gravity_scale", "a finite number", for_a_ball([](BodySpec& s, double x) { s.gravity_scale = x; })}});
-  check_vector_refusals(
-      "Scene::add",
-      {{"position", "finite numbers of m", for_a_ball([](BodySpec& s, double x) { s.position.y() = x; })},
-       {"velocity", "finite numbers of m/s", for_a_ball([](BodySpec& s, double x) { s.velocity.y() = x; })}});
-}
-
-TEST_CASE("a material of a body that cannot be is refused by name") {
-  const auto set_mass = for_a_ball([](BodySpec& s, double x) { s.mass = x; });
-  const auto set_inertia = for_a_ball([](BodySpec& s, double x) { s.inertia = x; });
-  const auto set_density = for_a_ball([](BodySpec& s, double x) { s.density = x; });
-  const auto set_friction = for_a_ball([](BodySpec& s, double x) { s.friction = x; });
-  const auto set_restitution = for_a_ball([](BodySpec& s, double x) { s.restitution = x; });
-  const auto set_linear_damping = for_a_ball([](BodySpec& s, double x) { s.linear_damping = x; });
-  const auto set_angular_damping = for_a_ball([](BodySpec& s, double x) { s.angular_damping = x; });
-  check_refusals("Scene::add", {{"mass", "from 1e-15 to 1e15 kg", set_mass, {0, -1, 1e-16, 1e16}},
-                                {"inertia", "from 1e-15 to 1e15 kg m^2", set_inertia, {0, -1, 1e-16, 1e16}},
-                                {"density", "> 0 kg/m^2 and finite", set_density, {0, -1}},
-                                {"friction", "from 0 to 1e6", set_friction, {-0.1, 1.1e6}},
-                                {"restitution", "in [0, 1]", set_restitution, {-0.1, 1.0001}},
-                                {"linear_damping", ">= 0 1/s and finite", set_linear_damping, {-0.1}},
-                                {"angular_damping", ">= 0 1/s and finite", set_angular_damping, {-0.1}}});
-}
-
-TEST_CASE("settings of a scene that cannot be stepped are refused by name") {
-  check_refusals("Scene", {{"dt",
-                            "from 1e-12 to 1e6 s",
-                            for_settings([](SceneSettings& s, double x) { s.dt = x; }),
-                            {0, -1, 1e-13, 1e7}},
-                           {"stabilization.baumgarte",
-                            ">= 0 and finite",
-                            for_settings([](SceneSettings& s, double x) { s.stabilization.baumgarte = x; }),
-                            {-0.1}},
-                           {"stabilization.slop",
-                            ">= 0 m and finite",
-                            for_settings([](SceneSettings& s, double x) { s.stabilization.slop = x; }),
-                            {-0.1}},
-                           {"speculative_margin",
-                            ">= 0 m and finite",
-                            for_settings([](SceneSettings& s, double x) { s.speculative_margin = x; }),
-                            {-0.1}},
-                           {"restitution_threshold",
-                            ">= 0 m/s and finite",
-                            for_settings([](SceneSettings& s, double x) { s.restitution_threshold = x; }),
-                            {-0.1}}});
-  check_vector_refusals("Scene",
-                        {{"gravity", "finite numbers of m/s^2", for_settings([](SceneSettings& s, double x) {
-                            s.gravity = {1, x};
-                          })}});
-}
-
-TEST_CASE("a ground that cannot be is refused by name") {
-  check_refusals("Scene::add_ground", {{"height", "a finite number of m",
-                                        for_the_ground([](GroundSpec& s, double x) { s.height = x; })},
-                                       {"half_width",
-                                        "> 0 m and finite",
-                                        for_the_ground([](GroundSpec& s, double x) { s.half_width = x; }),
-                                        {0, -1}},
-                                       {"friction",
-                                        "from 0 to 1e6",
-                                        for_the_ground([](GroundSpec& s, double x) { s.friction = x; }),
-                                        {-0.1, 1.1e6}},
-                                       {"restitution",
-                                        "in [0, 1]",
-                                        for_the_ground([](GroundSpec& s, double x) { s.restitution = x; }),
-                                        {-0.1, 2}}});
+      "Scene",
+      {{"dt", "from 1e-12 to 1e6 s", of(&SceneSettings::dt), {0, -1, 1e-13, 1e7}},
+       {"stabilization.baumgarte", ">= 0 and finite", of(&How::baumgarte), {-0.1}},
+       {"stabilization.slop", ">= 0 m and finite", of(&How::slop), {-0.1}},
+       {"speculative_margin", ">= 0 m and finite", of(&SceneSettings::speculative_margin), {-0.1}},
+       {"restitution_threshold", ">= 0 m/s and finite", of(&SceneSettings::restitution_threshold), {-0.1}}});
+  check_vector_refusals("Scene", {{"gravity", "finite numbers of m/s^2", of(&SceneSettings::gravity)}});
+  check_refusals("Scene::add_ground",
+                 {{"height", "a finite number of m", of(&GroundSpec::height)},
+                  {"half_width", "> 0 m and finite", of(&GroundSpec::half_width), {0, -1}},
+                  {"friction", mu, of(&GroundSpec::friction), {-0.1, 1.1e6}},
+                  {"restitution", share, of(&GroundSpec::restitution), {-0.1, 2}}});
 }
 
 TEST_CASE("anchors and lengths of joints that cannot be are refused by name") {

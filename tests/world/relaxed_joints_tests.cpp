@@ -1,21 +1,7 @@
 // Joints that no solver has solved to the end: what Baumgarte makes of their errors, and what the policy
 // relaxed does, which scenes have where nothing is said.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <string>
-
-#include "constraints/revolute_joint.hpp"
-#include "measure/energy.hpp"
-#include "measure/violation.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
@@ -28,25 +14,16 @@ SceneSettings plain_baumgarte(int substeps = 1) {
 /// Slender rods of 1 m, one below the other, at rest and damped: nothing has a reason to move.
 Scene hanging_rods(const SceneSettings& settings) {
   Scene scene(settings);
-  BodyId above = ground;
-  for (int i = 0; i < 20; ++i) {
-    const BodyId rod = scene.add(
-        {.shapes = {box(0.05, 1)}, .position = {0, -0.5 - i}, .linear_damping = 1, .angular_damping = 1});
-    scene.join<RevoluteJoint>({.a = above, .b = rod, .anchor = {0, -1.0 * i}});
-    above = rod;
-  }
+  const BodySpec rod = {
+      .shapes = {box(0.05, 1)}, .position = {0, -0.5}, .linear_damping = 1, .angular_damping = 1};
+  samples::add_chain(scene, 20, rod, {0, -1});
   return scene;
 }
 
 /// Links from a pin to the right, level; each stands `open` m away from the one before [m].
 Scene level_chain(int links, double open, const SceneSettings& settings) {
   Scene scene(settings);
-  BodyId before = ground;
-  for (int i = 0; i < links; ++i) {
-    const BodyId link = scene.add({.shapes = {box(1, 0.2)}, .position = {0.5 + i, 0}});
-    scene.join<RevoluteJoint>({.a = before, .b = link, .anchor = {1.0 * i, 0}});
-    before = link;
-  }
+  samples::add_chain(scene, links, {.shapes = {box(1, 0.2)}, .position = {0.5, 0}}, {1, 0});
   for (int i = 0; i < links && open > 0; ++i) displace(scene, {i + 1}, {open * (i + 1), 0});
   return scene;
 }

@@ -1,15 +1,6 @@
 // Scenes of all sizes behave alike: what was not said follows from the bodies, and is scaled as they are.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
+#include "testing.hpp"
 #include "world/scene_length.hpp"
-#include "world/world.hpp"
 
 using namespace cairn;
 
@@ -85,7 +76,7 @@ template <typename Solver>
 PerBody<Pose<double>> poses_after(Scene (*make)(const Scale&), const Scale& scale) {
   World<double> world(make(scale));
   Solver solver({.iterations = 10});
-  for (int step = 0; step < 120; ++step) world.step(solver);
+  take_steps(world, solver, 120);
   return world.bodies().pose;
 }
 
@@ -177,9 +168,8 @@ TEST_CASE("an elastic ball that nothing pulls is not stopped by a wall, however 
     scene.add({.type = BodyType::static_body, .shapes = {box(1, 3)}, .position = {2, 0}});
     scene.add({.shapes = {circle(0.5)}, .position = {0.99, 0}, .velocity = {speed, 0}, .restitution = 1});
     World<double> world(scene);
-    SequentialImpulse<double> solver({.iterations = 10});
     world.set_dt(0.001 / speed);  // a millimetre a step
-    for (int step = 0; step < 20; ++step) world.step(solver);
+    take_steps(world, 20);
     CHECK(world.bodies().velocity[{2}].x() == doctest::Approx(-speed).epsilon(1e-12));
   }
 }

@@ -1,14 +1,5 @@
 // Changing a scene that is already built: its settings, and where a body stands.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
-#include "constraints/distance_joint.hpp"
-#include "geometry/shape.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

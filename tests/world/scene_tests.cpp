@@ -1,13 +1,8 @@
 // From specs to bodies: masses, centres, materials and damping.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -21,9 +16,7 @@ Vec3<double> landed(const BodySpec& material, const GroundSpec& surface, double 
   disc.position = {0, 0.5};
   disc.velocity = {9, -2};
   scene.add(disc);
-  World world(scene);
-  SequentialImpulse<double> solver;
-  world.step(solver);
+  World<double> world = world_after(scene, 1);
   return world.bodies().velocity[{1}];
 }
 
@@ -73,9 +66,7 @@ TEST_CASE("the ground's surface is where it was asked for") {
   scene.add_ground({.height = 3, .half_width = 2});
   const BodyId box_on_it = scene.add({.shapes = {box(1, 1)}, .position = {1, 3.5}});
   const BodyId box_beside = scene.add({.shapes = {box(1, 1)}, .position = {3, 3.5}});
-  World world(scene);
-  SequentialImpulse<double> solver({.iterations = 100});  // feet 1/2 m from the middle: 1/4 a sweep
-  for (int step = 0; step < 30; ++step) world.step(solver);
+  const World<double> world = world_after(scene, 30, 100);  // feet 1/2 m from the middle: 1/4 a sweep
   const auto height = [&](BodyId id) { return world.bodies().pose[id].position.y(); };
   CHECK(std::abs(height(box_on_it) - 3.5) <= few_roundings * 30);
   CHECK(height(box_beside) < 3);
@@ -127,9 +118,7 @@ TEST_CASE("gravity acts on dynamic bodies by their gravity scale, and on no othe
   scene.add({.shapes = {circle(1)}, .position = {0, 0}, .gravity_scale = -0.5});
   scene.add({.shapes = {circle(1)}, .position = {9, 0}, .gravity_scale = 0});
   scene.add({.type = BodyType::kinematic, .shapes = {circle(1)}, .position = {20, 0}, .velocity = {0, 2}});
-  World world(scene);
-  SequentialImpulse<double> solver;
-  world.step(solver);
+  World<double> world = world_after(scene, 1);
   CHECK(world.bodies().velocity[{1}].x() == doctest::Approx(-0.5 / 60));
   CHECK(world.bodies().velocity[{1}].y() == doctest::Approx(5.0 / 60));
   CHECK(world.bodies().velocity[{2}].isZero(0));

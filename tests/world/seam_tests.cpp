@@ -1,12 +1,10 @@
 // Where static shapes make one surface, a body slides over their seams as over one shape.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "world/grounds.hpp"
 
 namespace cairn {
+
+using namespace testing;
+
 namespace {
 
 using namespace seams;
@@ -58,9 +56,7 @@ TEST_CASE("a box keeps its speed over the tiles of a platform that moves") {
     const Vec2<double> own = speed + Vec2<double>(4, 0);
     scene.add(
         {.shapes = {box(0.8, 0.4)}, .position = {0, 0.25 + 0.2 - 0.004}, .velocity = own, .friction = 0});
-    World<double> world(std::move(scene));
-    SequentialImpulse<double> solver;
-    for (int i = 0; i < 60; ++i) world.step(solver);
+    World<double> world = world_after(std::move(scene), 60);
     CAPTURE(speed.x());
     CAPTURE(speed.y());
     CHECK(world.bodies().velocity[{2}].x() == doctest::Approx(own.x()).epsilon(seam_rounding));
@@ -119,7 +115,6 @@ TEST_CASE("a disc that rolls without slipping over seams goes on rolling") {
 }
 
 TEST_CASE("seams stay smooth where tiles overlap, leave a gap of 0.1 mm, or differ in depth and width") {
-  SequentialImpulse<double> solver;
   for (const int rate : {60, 240}) {
     for (const double gap : {0.0001, 0.0, -0.1}) {
       CAPTURE(rate);
@@ -130,8 +125,7 @@ TEST_CASE("seams stay smooth where tiles overlap, leave a gap of 0.1 mm, or diff
         scene.add(still(moved(box(width, depth), {-1 + i * (width + gap), -depth / 2})));
       }
       const BodyId body = scene.add({.shapes = {box(1, 1)}, .position = {-0.5, 0.496}, .velocity = {5, 0}});
-      World<double> world(scene);
-      for (int i = 0; i < rate / 2; ++i) world.step(solver);
+      const World<double> world = world_after(scene, rate / 2);
       CHECK(std::abs(world.bodies().velocity[body].x() / 5 - 1) < seam_rounding);
       CHECK(world.bodies().pose[body].position.y() == doctest::Approx(0.5).epsilon(0.01));
     }
@@ -197,7 +191,6 @@ TEST_CASE("a step of 0.2 m between tiles stops a box that cannot tip") {
 }
 
 TEST_CASE("what another body is not to meet does not smooth the edge of what it meets") {
-  SequentialImpulse<double> solver;
   Scene scene({.dt = 1.0 / 240});
   scene.add(still(moved(box(4, 1), {-2, -0.5})));            // up to x = 0
   BodySpec other = still(moved(box(4, 1.2), {2, -0.4}));     // higher by 0.2 m
@@ -211,13 +204,10 @@ TEST_CASE("what another body is not to meet does not smooth the edge of what it 
                                  .friction = 0,
                                  .fixed_rotation = true,
                                  .collides_with = 1});
-  World<double> world(scene);
-  for (int i = 0; i < 240; ++i) world.step(solver);
-  CHECK(world.bodies().pose[body].position.x() < -0.49);
+  CHECK(pose_of(world_after(scene, 240), body).position.x() < -0.49);
 }
 
 TEST_CASE("nothing falls through a block of tiles, however deep it is put") {
-  SequentialImpulse<double> solver;
   for (const double depth : {0.0, 0.1, 0.3, 0.6}) {
     for (const double x : {0.0, 0.5, 0.02}) {  // over a tile, over a seam, and beside one
       for (const Shape<double>& shape :
@@ -232,9 +222,7 @@ TEST_CASE("nothing falls through a block of tiles, however deep it is put") {
         }
         const BodyId body = scene.add(
             {.shapes = {shape}, .position = {x, 0.2 - depth}, .friction = 0.5, .fixed_rotation = true});
-        World<double> world(scene);
-        for (int i = 0; i < 240; ++i) world.step(solver);
-        CHECK(world.bodies().pose[body].position.y() > -0.6);
+        CHECK(pose_of(world_after(scene, 240), body).position.y() > -0.6);
       }
     }
   }

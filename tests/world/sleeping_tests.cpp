@@ -1,10 +1,5 @@
 // Falling asleep: which bodies, after how long, and what a sleeping body costs.
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-#include <string>
-
-#include "math/list.hpp"
+#include "samples/samples.hpp"
 #include "sleeping_worlds.hpp"
 
 using namespace cairn;
@@ -39,15 +34,6 @@ Scene chain_scene(double spin) {
     last = bar;
   }
   return scene;
-}
-
-std::string sleeping_refusal(const Sleeping& sleeping) {
-  try {
-    const Scene scene({.sleeping = sleeping});
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -94,9 +80,7 @@ TEST_CASE_TEMPLATE(
 
 TEST_CASE(
     "a stack sleeps under every policy, and with every number of substeps its time is counted in seconds") {
-  for (const StabilizationPolicy policy :
-       {StabilizationPolicy::none, StabilizationPolicy::baumgarte, StabilizationPolicy::relaxed,
-        StabilizationPolicy::soft, StabilizationPolicy::split_impulse}) {
+  for (const StabilizationPolicy policy : every_policy) {
     for (const int substeps : {1, 4}) {
       CAPTURE(substeps);
       // One disc on the ground, whose only load is its weight: it is slow from the first step on.
@@ -122,7 +106,7 @@ TEST_CASE(
 TEST_CASE("two stacks on one ground are two islands, and sleep independently") {
   Scene scene({.sleeping = usual_sleeping});
   scene.add_ground();
-  const List<BodyId> still = add_stack(scene, 3, -5);
+  const List<BodyId> still = samples::add_stack(scene, 3, samples::standing_box(-5));
   // This one is dropped from 5 m: it falls for sqrt(2 h / g) = 1 s, twice the time that lets the other sleep.
   const BodyId late = scene.add({.shapes = {box(1, 1)}, .position = {5, 5.5}});
   World<double> world(scene);
@@ -230,11 +214,13 @@ TEST_CASE("the plan says whether bodies may sleep") {
 
 TEST_CASE("sleeping refuses thresholds and times that are not positive and finite") {
   const double infinity = std::numeric_limits<double>::infinity();
+  const auto refused = [](const Sleeping& sleeping) {
+    return message_of([&] { Scene({.sleeping = sleeping}); });
+  };
   for (const double bad : {0.0, -1.0, infinity, std::nan("")}) {
-    CHECK(sleeping_refusal({.speed = bad}).find("Scene: sleeping.speed must be > 0 m/s and finite") == 0);
-    CHECK(sleeping_refusal({.angular_speed = bad}).find("Scene: sleeping.angular_speed must be > 0 rad/s") ==
-          0);
-    CHECK(sleeping_refusal({.time = bad}).find("Scene: sleeping.time must be > 0 s and finite") == 0);
+    CHECK(refused({.speed = bad}).find("Scene: sleeping.speed must be > 0 m/s and finite") == 0);
+    CHECK(refused({.angular_speed = bad}).find("Scene: sleeping.angular_speed must be > 0 rad/s") == 0);
+    CHECK(refused({.time = bad}).find("Scene: sleeping.time must be > 0 s and finite") == 0);
   }
-  CHECK(sleeping_refusal({}).empty());
+  CHECK(refused({}).empty());
 }

@@ -1,29 +1,14 @@
 // What the tests of sleeping share: scenes that come to rest, and what is compared between worlds.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 namespace cairn::testing {
 
 inline constexpr double sleep_gravity = 10;  // [m/s^2], the default of a scene
 inline constexpr Sleeping usual_sleeping = {.speed = 0.05, .angular_speed = 0.05, .time = 0.5};
 inline constexpr int usual_sleep_steps = 30;  // 0.5 s in steps of 1/60 s
-
-/// n boxes of 1 kg and 1 m, one on the other, at `x` [m]; the lowest first.
-inline List<BodyId> add_stack(Scene& scene, int n, double x) {
-  List<BodyId> boxes;
-  for (int i = 0; i < n; ++i) boxes.push_back(scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + i}}));
-  return boxes;
-}
 
 /// Something to throw, 0.5 m in radius, that floats: nothing moves it before it is given a velocity.
 inline BodyId add_missile(Scene& scene, const Vec2<double>& position, double mass) {
@@ -32,29 +17,7 @@ inline BodyId add_missile(Scene& scene, const Vec2<double>& position, double mas
 
 /// A stack of five.
 inline Scene stack_scene(const SceneSettings& settings = {.sleeping = usual_sleeping}) {
-  Scene scene(settings);
-  scene.add_ground();
-  add_stack(scene, 5, 0);
-  return scene;
-}
-
-template <Scalar Real>
-bool same_poses(const World<Real>& first, const World<Real>& second) {
-  bool same = true;
-  for (const BodyId body : first.bodies().pose.indices()) {
-    same = same && first.bodies().pose[body].position == second.bodies().pose[body].position &&
-           first.bodies().pose[body].angle == second.bodies().pose[body].angle;
-  }
-  return same;
-}
-
-template <Scalar Real>
-bool same_state(const World<Real>& first, const World<Real>& second) {
-  bool same = same_poses(first, second) && first.bodies().velocity == second.bodies().velocity;
-  for (const BodyId body : first.bodies().pose.indices()) {
-    same = same && first.is_awake(body) == second.is_awake(body);
-  }
-  return same && first.last_step().problem.impulse == second.last_step().problem.impulse;
+  return samples::stack(5, settings);
 }
 
 /// A body with all of its island: as it moves already.
@@ -65,10 +28,7 @@ void wake(World<Real>& world, BodyId body) {
 
 template <Scalar Real>
 StepReport sleep_steps(World<Real>& world, int steps, int iterations = 50) {
-  SequentialImpulse<Real> solver({.iterations = iterations});
-  StepReport report;
-  for (int i = 0; i < steps; ++i) report = world.step(solver);
-  return report;
+  return take_steps(world, steps, iterations);
 }
 
 /// Steps the world until nothing is awake, at most `most` times: the number of steps.

@@ -1,11 +1,6 @@
 // Solvers that take contacts as they are, and solvers that take rows, in one run: to the bits of rows alone.
-#include <doctest/doctest.h>
-
-#include <limits>
-
 #include "leaning_wall.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -16,15 +11,14 @@ namespace {
 Scene boxes_side_by_side(const SceneSettings& settings) {
   Scene scene(settings);
   scene.add_ground({.friction = 0.6});
-  for (int i = 0; i < 10; ++i) scene.add({.shapes = {box(1, 1)}, .position = {2.0 * i, 0.5}});
-  for (int i = 0; i < 2; ++i) scene.add({.shapes = {box(1, 1)}, .position = {2.0 * i, 1.5}});
+  samples::add_line(scene, 10, samples::standing_box(), {2, 0});
+  samples::add_line(scene, 2, {.shapes = {box(1, 1)}, .position = {0, 1.5}}, {2, 0});
   return scene;
 }
 
 List<SceneSettings> searches_in_substeps() {
   List<SceneSettings> all;
-  using enum ContactSearch;
-  for (const ContactSearch search : {every_substep, every_step, when_moved}) {
+  for (const ContactSearch search : every_search) {
     for (const int substeps : {1, 3}) {
       all.push_back({.substeps = substeps, .contact_search = search});
       all.push_back(all.back());
@@ -34,52 +28,25 @@ List<SceneSettings> searches_in_substeps() {
   return all;
 }
 
-/// Two worlds take the same steps: one with contacts as they are, where its solver takes them so, and one
-/// with rows in every step, for it is observed.
-struct WithRowsAndWithout {
-  World<double> world, observed;
-  WideSequentialImpulse<double> wide{{.iterations = 4}}, watched{{.iterations = 4}};
-  SequentialImpulse<double> plain{{.iterations = 4}};
-  Onlooker<double> onlooker;
-
-  explicit WithRowsAndWithout(const Scene& scene) : world(scene), observed(scene) {}
-
-  template <typename Change>
-  void change(const Change& change) {
-    change(world);
-    change(observed);
-  }
-  /// Whether it was done.
-  bool step(bool by_rows) {
-    observed.step(by_rows ? static_cast<Solver<double>&>(plain) : watched, &onlooker);
-    return !world.step(by_rows ? static_cast<Solver<double>&>(plain) : wide).not_finite;
-  }
-  void check_alike() {
-    check_same(world, observed);
-    check_same_record(with_rows(world), with_rows(observed));
-    CHECK(world.velocity_problem().impulse == observed.velocity_problem().impulse);
-  }
-};
-
 }  // namespace
 
 TEST_CASE("a solver with rows takes over from one with contacts, though what touched has gone apart") {
   for (const SceneSettings& settings : searches_in_substeps()) {
-    WithRowsAndWithout twins(boxes_side_by_side(settings));
-    for (int step = 0; step < 10; ++step) twins.step(false);
+    WithRowsAndWithout<double> twins(boxes_side_by_side(settings));
+    twins.steps(10);
     for (int i = 1; i <= 12; ++i) {
       twins.change([i](World<double>& world) { world.set_velocity(BodyId{i}, {0, 3, 0}); });
     }
     for (int step = 0; step < 60; ++step) {
       twins.step(true);
-      twins.check_alike();
+      twins.check_alike_ahead();
     }
   }
 }
 
 TEST_CASE("a hand takes hold of what rests on contacts without rows, lifts it and lets it go") {
   for (const SceneSettings& settings : searches_in_substeps()) {
-    WithRowsAndWithout twins(boxes_side_by_side(settings));
+    WithRowsAndWithout<double> twins(boxes_side_by_side(settings));
     for (int step = 0; step < 60; ++step) {
       if (step == 10) {
         twins.change([](World<double>& world) {
@@ -87,8 +54,8 @@ TEST_CASE("a hand takes hold of what rests on contacts without rows, lifts it an
         });
       }
       if (step == 40) twins.change([](World<double>& world) { world.move_hand(HandInput::let_go()); });
-      twins.step(false);
-      twins.check_alike();
+      twins.step();
+      twins.check_alike_ahead();
     }
   }
 }
@@ -96,12 +63,12 @@ TEST_CASE("a hand takes hold of what rests on contacts without rows, lifts it an
 TEST_CASE("two solvers by turns, with rows and without, lose none of the impulses of each other") {
   for (const SceneSettings& settings : searches_in_substeps()) {
     for (const Scene& scene : {boxes_side_by_side(settings), leaning_wall(settings)}) {
-      WithRowsAndWithout twins(scene);
+      WithRowsAndWithout<double> twins(scene);
       for (int step = 0; step < 40; ++step) {
         twins.step(step % 7 == 3 || step % 5 == 1);
-        if (step % 9 == 0) twins.check_alike();
+        if (step % 9 == 0) twins.check_alike_ahead();
       }
-      twins.check_alike();
+      twins.check_alike_ahead();
     }
   }
 }
@@ -112,19 +79,19 @@ TEST_CASE("after a step that ends in no number, the next one begins from the imp
     Scene scene = boxes_side_by_side(settings);
     const BodyId lost =
         scene.add({.shapes = {circle(0.1)}, .position = {0, 9}, .gravity_scale = 0, .collides_with = 0});
-    WithRowsAndWithout twins(scene);
-    for (int step = 0; step < 20; ++step) twins.step(false);
+    WithRowsAndWithout<double> twins(scene);
+    twins.steps(20);
     twins.change([&](World<double>& world) { world.set_velocity(lost, {most, 0, 0}); });
     int done = 0;
     const auto push = [&](World<double>& world) { world.set_velocity(BodyId{11}, {0, -0.01 * done, 0}); };
     do {  // other impulses in every step
       twins.change(push);
-    } while (twins.step(false) && ++done < 100);
+    } while (twins.step() && ++done < 100);
     REQUIRE(done < 100);
     twins.change([&](World<double>& world) { world.set_velocity(lost, {0, 0, 0}); });
     for (int step = 0; step < 5; ++step) {
-      twins.step(false);
-      twins.check_alike();
+      twins.step();
+      twins.check_alike_ahead();
     }
   }
 }

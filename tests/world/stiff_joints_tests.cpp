@@ -1,22 +1,12 @@
 // Forces that turn with what they hold: light links under heavy loads, on pins and over discs, at rest and
 // when they get tight; and what swings on a rope.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <initializer_list>
 #include <numbers>
-#include <utility>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "measure/energy.hpp"
-#include "measure/violation.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -63,14 +53,9 @@ Scene plank_bridge(double heavy, int substeps) {
 /// Links of 1 kg on pins, level, between two walls.
 Scene chain_between_walls(int links, int substeps) {
   Scene scene({.substeps = substeps});
-  BodyId before = ground;
-  for (int i = 0; i <= links; ++i) {
-    const BodyId next =
-        i < links ? scene.add({.shapes = {box(0.5, 0.1)}, .position = {0.25 + 0.5 * i, 0}, .mass = 1})
-                  : ground;
-    scene.join<RevoluteJoint>({.a = before, .b = next, .anchor = {0.5 * i, 0}});
-    before = next;
-  }
+  const List<BodyId> chain = samples::add_chain(
+      scene, links, {.shapes = {box(0.5, 0.1)}, .position = {0.25, 0}, .mass = 1}, {0.5, 0});
+  scene.join<RevoluteJoint>({.a = chain.back(), .b = ground, .anchor = {0.5 * links, 0}});
   return scene;
 }
 
@@ -120,6 +105,20 @@ Scene string_over_disc(double load, int substeps) {
   return scene;
 }
 
+/// A string holds so many loads of 1 to 100 kg under an exact solver.
+void check_holds(Scene (*make)(double, int), std::initializer_list<int> substeps, int loads) {
+  for (const double load : {1.0, 10.0, 100.0}) {
+    for (const int count : substeps) {
+      CAPTURE(load);
+      CAPTURE(count);
+      NewtonSolver<double> newton({.iterations = 20});
+      const Gaps gaps = gaps_of(make(load, count), newton, 2);
+      CHECK(gaps.worst <= thin);
+      CHECK(gaps.gain <= 0.01 * loads * load * 10);  // [J] as of a centimetre of its fall
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("light planks carry a heavy one under an exact solver, with one substep and with four") {
@@ -159,9 +158,7 @@ TEST_CASE(
     Scene scene;
     const BodyId bob = scene.add({.position = {0, -length}, .mass = 2, .fixed_rotation = true});
     scene.join<DistanceJoint>({.a = ground, .b = bob, .anchor_b = {0, -length}});
-    World<double> world(scene);
-    SequentialImpulse<double> solver;
-    world.step(solver);
+    World<double> world = world_after(scene, 1);
     world.set_velocity(bob, {3, 0, 0});
     const double h = world.clock().dt, tension = 2 * 10;  // [N] its weight
     // At rest in the line of the rod: K of an end is 2 T / L.
@@ -193,29 +190,11 @@ TEST_CASE("a link that lies on a disc takes part with the stiffness of the disc'
 }
 
 TEST_CASE("a string of light links holds a heavy load that gets it tight") {
-  for (const double load : {1.0, 10.0, 100.0}) {
-    for (const int substeps : {2, 4, 8}) {
-      CAPTURE(load);
-      CAPTURE(substeps);
-      NewtonSolver<double> newton({.iterations = 20});
-      const Gaps gaps = gaps_of(folded_string(load, substeps), newton, 2);
-      CHECK(gaps.worst <= thin);
-      CHECK(gaps.gain <= 0.01 * load * 10);  // [J] as of a centimetre of its fall
-    }
-  }
+  check_holds(folded_string, {2, 4, 8}, 1);
 }
 
 TEST_CASE("a string of light links holds heavy loads over a disc that it falls on") {
-  for (const double load : {1.0, 10.0, 100.0}) {
-    for (const int substeps : {1, 4}) {
-      CAPTURE(load);
-      CAPTURE(substeps);
-      NewtonSolver<double> newton({.iterations = 20});
-      const Gaps gaps = gaps_of(string_over_disc(load, substeps), newton, 2);
-      CHECK(gaps.worst <= thin);
-      CHECK(gaps.gain <= 0.01 * 2 * load * 10);
-    }
-  }
+  check_holds(string_over_disc, {1, 4}, 2);
   SequentialImpulse<double> sweeps({.iterations = 200});  // a gap of 5 mm, and half of it for twice as many
   CHECK(gaps_of(string_over_disc(10, 4), sweeps, 2).worst <= thin);
 }

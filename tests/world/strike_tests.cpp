@@ -1,12 +1,5 @@
 // What strikes springs.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
-#include "measure/violation.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

@@ -1,14 +1,7 @@
 // Joints that hold angles come back when they were struck: sweeps spread moments slowly, an exact solve at
 // once.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "measure/violation.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
@@ -19,17 +12,9 @@ enum class Held { by_limits, by_welds };
 /// Six bars in a row from the ground to the right.
 Scene pole(Held held) {
   Scene scene({.gravity = {0, 0}, .substeps = 4});
-  BodyId before = ground;
-  for (int i = 0; i < 6; ++i) {
-    const BodyId bar =
-        scene.add({.shapes = {box(1, 0.2)}, .position = {0.5 + i, 0}, .mass = 0.2, .collides_with = 0});
-    if (held == Held::by_welds) {
-      scene.join<WeldJoint>({.a = before, .b = bar, .anchor = {1.0 * i, 0}});
-    } else {
-      scene.join<RevoluteJoint>({.a = before, .b = bar, .anchor = {1.0 * i, 0}, .lower = 0, .upper = 0});
-    }
-    before = bar;
-  }
+  const BodySpec bar = {.shapes = {box(1, 0.2)}, .position = {0.5, 0}, .mass = 0.2, .collides_with = 0};
+  if (held == Held::by_welds) samples::add_chain<WeldJoint>(scene, 6, bar, {1, 0});
+  if (held == Held::by_limits) samples::add_chain(scene, 6, bar, {1, 0}, {.lower = 0, .upper = 0});
   return scene;
 }
 

@@ -1,21 +1,11 @@
 // A scene that changes while it runs: everything that is left alone goes on to the last bit.
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <stdexcept>
-
 #include "yard.hpp"
 
 namespace cairn {
 
-using test::go_alike;
-using test::run_steps;
-using test::Yard;
+using namespace testing;
 
 namespace {
-
-const ContactSearch every_search[] = {ContactSearch::every_substep, ContactSearch::every_step,
-                                      ContactSearch::when_moved};
 
 bool all_found_again(const World<double>& world) {
   const auto& is_new = world.last_step().is_new;
@@ -32,13 +22,11 @@ TEST_CASE("a world whose scene was edited without a change goes on with the same
         SceneSettings settings{.substeps = 2, .contact_search = search};
         if (sleeps) settings.sleeping = Sleeping{};
         World<double> world(Yard(settings).scene);
-        run_steps(world, steps);
+        take_steps(world, steps);
         World<double> edited = world;
         edited.edit([](Scene&) {});
         CHECK(go_alike(world, edited));
-        run_steps(world, 60);
-        run_steps(edited, 60);
-        CHECK(go_alike(world, edited));
+        CHECK(go_on_alike(world, edited, 60));
         CHECK(world.last_step().problem.impulse == edited.last_step().problem.impulse);
       }
     }
@@ -48,46 +36,40 @@ TEST_CASE("a world whose scene was edited without a change goes on with the same
 TEST_CASE("bodies that come and go elsewhere change no bit of the others") {
   for (const ContactSearch search : every_search) {
     World<double> world(Yard({.contact_search = search}).scene);
-    run_steps(world, 20);
+    take_steps(world, 20);
     World<double> edited = world;
     BodyId guest;
     edited.edit([&](Scene& scene) { guest = scene.add({.shapes = {box(1, 1)}, .position = {20, 0.5}}); });
     CHECK(guest.index == world.bodies().pose.size());
-    run_steps(world, 20);
-    run_steps(edited, 20);
-    CHECK(go_alike(world, edited));
+    CHECK(go_on_alike(world, edited, 20));
     CHECK(edited.bodies().pose[guest].position.y() == doctest::Approx(0.5).epsilon(0.01));
     edited.edit([&](Scene& scene) { scene.remove(guest); });
-    run_steps(world, 20);
-    run_steps(edited, 20);
-    CHECK(go_alike(world, edited));
+    CHECK(go_on_alike(world, edited, 20));
     const Yard yard;  // its ids
     edited.edit([&](Scene& scene) { scene.remove(yard.lonely); });
-    run_steps(world, 20);
-    run_steps(edited, 20);
-    CHECK(go_alike(world, edited));
+    CHECK(go_on_alike(world, edited, 20));
   }
 }
 
 TEST_CASE("rows that stay keep their impulses when shapes before them in the order go") {
   Yard yard;
   World<double> world(yard.scene);
-  run_steps(world, 60);
+  take_steps(world, 60);
   const double weight_below = world.last_step().problem.impulse[world.last_step().problem.blocks[4].first];
   CHECK(weight_below > 0);
   // The lowest number of the pile's colliders goes: the others are renumbered, and found again.
   world.edit([&](Scene& scene) { scene.remove(yard.lonely); });
-  run_steps(world, 1);
+  take_steps(world, 1);
   CHECK(all_found_again(world));
   world.edit([&](Scene& scene) { scene.remove(yard.pile[5]); });  // the top of the pile
-  run_steps(world, 1);
+  take_steps(world, 1);
   CHECK(all_found_again(world));
 }
 
 TEST_CASE("what rested on a removed body falls, and what sleeps elsewhere sleeps on") {
   Yard yard({.sleeping = Sleeping{}});
   World<double> world(yard.scene);
-  run_steps(world, 240);
+  take_steps(world, 240);
   REQUIRE(!world.is_awake(yard.pile[5]));
   REQUIRE(!world.is_awake(yard.lonely));
   world.edit([&](Scene& scene) { scene.remove(yard.pile[0]); });
@@ -95,7 +77,7 @@ TEST_CASE("what rested on a removed body falls, and what sleeps elsewhere sleeps
   CHECK(world.is_awake(yard.pile[5]));
   CHECK(!world.is_awake(yard.lonely));
   const double height = world.bodies().pose[yard.pile[5]].position.y();
-  run_steps(world, 30);
+  take_steps(world, 30);
   CHECK(world.bodies().pose[yard.pile[5]].position.y() < height - 0.5);
   CHECK(!world.is_awake(yard.lonely));
 }
@@ -106,7 +88,7 @@ TEST_CASE("a changed body, a changed rule and a new joint act from the next step
   const BodyId slider =
       scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {3, 0}, .friction = 0});
   World<double> world(scene);
-  run_steps(world, 30);
+  take_steps(world, 30);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3));
   world.edit([&](Scene& now) {
     BodySpec spec = now.bodies()[slider].spec;
@@ -114,9 +96,9 @@ TEST_CASE("a changed body, a changed rule and a new joint act from the next step
     now.change(slider, spec);
   });
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3));
-  run_steps(world, 15);
+  take_steps(world, 15);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3 - 10 * 15.0 / 60).epsilon(0.05));  // mu g t
-  run_steps(world, 120);
+  take_steps(world, 120);
   REQUIRE(!world.is_awake(slider));
 
   // Gravity to the side wakes it; a pin at its centre then holds it.
@@ -126,26 +108,26 @@ TEST_CASE("a changed body, a changed rule and a new joint act from the next step
     now.set_settings(settings);
   });
   CHECK(world.is_awake(slider));
-  run_steps(world, 10);
+  take_steps(world, 10);
   CHECK(world.bodies().velocity[slider].x() > 1);
   const double place = world.bodies().pose[slider].position.x();
   world.edit([&](Scene& now) {
     now.join<RevoluteJoint>({.a = ground, .b = slider, .anchor = now.bodies()[slider].pose.position});
   });
-  run_steps(world, 120);
+  take_steps(world, 120);
   CHECK(world.bodies().pose[slider].position.x() == doctest::Approx(place).epsilon(0.01));
 }
 
 TEST_CASE("joints that stay keep their impulses when others are removed and added") {
   Yard yard;
   World<double> world(yard.scene);
-  run_steps(world, 30);
+  take_steps(world, 30);
   const JointId first = world.scene().joints().id(0);
   world.edit([&](Scene& scene) { scene.remove(yard.pin); });
   CHECK(world.scene().joints().size() == 3);
   CHECK(world.scene().joints().id(0) == first);
   const auto joints_found_again = [&] {
-    run_steps(world, 1);
+    take_steps(world, 1);
     const auto& is_new = world.last_step().is_new;
     const int rows = 2 * world.scene().joints().size();  // of pins
     return std::none_of(is_new.begin(), is_new.begin() + rows, [](char each) { return each != 0; });
@@ -158,7 +140,7 @@ TEST_CASE("joints that stay keep their impulses when others are removed and adde
 TEST_CASE("a body that is put elsewhere begins there, and one that is not keeps its bits") {
   Yard yard;
   World<double> world(yard.scene);
-  run_steps(world, 50);
+  take_steps(world, 50);
   World<double> edited = world;
   edited.edit([&](Scene& scene) { displace(scene, yard.lonely, {0, 3}); });
   CHECK(edited.bodies().pose[yard.lonely].position.y() ==
@@ -166,15 +148,15 @@ TEST_CASE("a body that is put elsewhere begins there, and one that is not keeps 
   for (const BodyId body : yard.pile) {
     CHECK(edited.bodies().pose[body].position == world.bodies().pose[body].position);
   }
-  run_steps(world, 20);
-  run_steps(edited, 20);
+  take_steps(world, 20);
+  take_steps(edited, 20);
   CHECK(edited.bodies().pose[yard.pile[3]].position == world.bodies().pose[yard.pile[3]].position);
 }
 
 TEST_CASE("an edit that is refused, or fails midway, changes nothing") {
   Yard yard;
   World<double> world(yard.scene);
-  run_steps(world, 20);
+  take_steps(world, 20);
   World<double> untouched = world;
   CHECK_THROWS_AS(world.edit([&](Scene& scene) {
     scene.remove(yard.lonely);
@@ -186,15 +168,13 @@ TEST_CASE("an edit that is refused, or fails midway, changes nothing") {
   }),
                   std::invalid_argument);
   CHECK_THROWS_AS(world.edit([](Scene&) { throw std::runtime_error("midway"); }), std::runtime_error);
-  run_steps(world, 20);
-  run_steps(untouched, 20);
-  CHECK(go_alike(world, untouched));
+  CHECK(go_on_alike(world, untouched, 20));
 }
 
 TEST_CASE("time, steps and dt go on over an edit") {
   World<double> world(Yard().scene);
   world.set_dt(1.0 / 120);
-  run_steps(world, 7);
+  take_steps(world, 7);
   world.edit([](Scene& scene) { scene.add({.shapes = {circle(0.2)}, .position = {0, 30}}); });
   CHECK(world.clock().steps == 7);
   CHECK(world.clock().time == doctest::Approx(7.0 / 120));

@@ -1,14 +1,8 @@
 // What a step refuses, leaves unwritten, or names.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
@@ -31,8 +25,7 @@ TEST_CASE("a row for an angle that nothing can turn is not written") {
     const BodyId body = scene.add({.shapes = {box(1, 1)}, .fixed_rotation = !turns});
     scene.join<WeldJoint>({.a = ground, .b = body, .anchor = {0, 0}});
     World<double> world(scene);
-    SequentialImpulse<double> solver;
-    CHECK(world.step(solver).rows == (turns ? 3 : 2));
+    CHECK(take_steps(world, 1).rows == (turns ? 3 : 2));
     const VelocityProblem<double>& problem = world.last_step().problem;
     for (const ConstraintRow<double>& row : problem.rows) CHECK(inverse_effective_mass(problem, row) > 0);
     CHECK(problem.blocks[0].count == problem.row_count());

@@ -6,21 +6,12 @@
 #include <cmath>
 
 #include "constraints/revolute_joint.hpp"
+#include "samples/samples.hpp"
 #include "validation/case_scenes.hpp"
 
 namespace cairn::bench {
 
 namespace {
-
-/// Boxes of 1 m in rows of base, base - 1, ..., 1 above `foot`, the middle of the lowest row.
-void add_pyramid(Scene& scene, int base, const Vec2<double>& foot) {
-  for (int level = 0; level < base; ++level) {
-    for (int i = 0; i < base - level; ++i) {
-      const Vec2<double> place(i + 0.5 * (level - base + 1), 0.5 + level);
-      scene.add({.shapes = {box(1, 1)}, .position = foot + place});
-    }
-  }
-}
 
 /// With ten boxes at their feet, on ledges one above the other, as many on each as there are ledges.
 Scene many_pyramids(int ledges) {
@@ -33,12 +24,11 @@ Scene many_pyramids(int ledges) {
   }
   scene.add(shelves);
   for (int i = 0; i < ledges; ++i) {
-    for (int k = 0; k < ledges; ++k) add_pyramid(scene, base, {apart * k, apart * i});
+    for (int k = 0; k < ledges; ++k)
+      samples::add_pyramid(scene, {.base = base, .foot = {apart * k, apart * i}});
   }
   return scene;
 }
-
-Scene stack(int boxes) { return cases::box_column(List<double>(boxes, 1.0)); }
 
 /// A body of a chain or a grid touches none of the others.
 BodySpec link(const Shape<double>& shape, const Vec2<double>& place) {
@@ -48,12 +38,7 @@ BodySpec link(const Shape<double>& shape, const Vec2<double>& place) {
 /// Rods of 0.5 m in a level row, the first pinned to the ground: the row falls and swings.
 Scene level_chain(int links) {
   Scene scene;
-  BodyId last = ground;
-  for (int i = 0; i < links; ++i) {
-    const BodyId next = scene.add(link(box(0.5, 0.1), {0.5 * i + 0.25, 0}));
-    scene.join<RevoluteJoint>({.a = last, .b = next, .anchor = {0.5 * i, 0}});
-    last = next;
-  }
+  samples::add_chain(scene, links, link(box(0.5, 0.1), {0.25, 0}), {0.5, 0});
   return scene;
 }
 
@@ -141,10 +126,10 @@ List<PeerScene> standing_scenes() {
        .make = [] { return many_pyramids(20); },
        .stands = true,
        .steps = 20},
-      {.name = "stack-10", .about = tower, .make = [] { return stack(10); }, .stands = true},
+      {.name = "stack-10", .about = tower, .make = [] { return samples::stack(10); }, .stands = true},
       {.name = "stack-100",
        .about = tower,
-       .make = [] { return stack(100); },
+       .make = [] { return samples::stack(100); },
        .stands = true,
        .target = Target{.error = 0.050, .sinking = 1}},
   };
@@ -174,7 +159,7 @@ List<PeerScene> moving_scenes() {
 Scene pyramid(int base) {
   Scene scene;
   scene.add_ground({.half_width = base + 10.0});
-  add_pyramid(scene, base, {0, 0});
+  samples::add_pyramid(scene, {.base = base});
   return scene;
 }
 

@@ -1,14 +1,9 @@
 // LU factors in blocks, beside dense ones.
-#include "math/list.hpp"
-#include "solvers/exact/block_factors.hpp"
-
-#include <doctest/doctest.h>
-
 #include <Eigen/LU>
-#include <algorithm>
 #include <random>
 #include <set>
-#include <stdexcept>
+
+#include "testing.hpp"
 
 using namespace cairn;
 

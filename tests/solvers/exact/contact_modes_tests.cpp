@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "../../validation/problems.hpp"
+#include "validation/problems.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -21,10 +21,7 @@ VelocityProblem<double> leaning_rod(double slide, double lift, double friction) 
 
 /// A box on three points of the floor, in a line below it; without friction.
 VelocityProblem<double> box_on_three_points() {
-  VelocityProblem<double> problem = empty_problem<double>();
-  const BodyId body = add_body<double>(problem, 1, 1.0 / 6, {0, -modes_fall, 0});
-  for (const double x : {-0.5, 0.0, 0.5}) add_row(problem, floor_row<double>(body, x));
-  return problem;
+  return box_on_feet<double>({-0.5, 0, 0.5}, {0, -modes_fall, 0});
 }
 
 const double modes_rounding = 64 * double_epsilon;  // of a few products of numbers about 1

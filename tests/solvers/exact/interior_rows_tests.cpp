@@ -1,35 +1,17 @@
 // Rows on the way through the interior of their bounds.
-#include "solvers/exact/interior_rows.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "solvers/exact/newton_solver.hpp"
-#include "solvers/exact/slope_factors.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "solvers/solver_list.hpp"
 
 using namespace cairn;
+using namespace cairn::testing;
 
 namespace {
 
 constexpr double weight = 10 * 0.02;  // [N s] of 1 kg in a step
 
 /// A box of 1 kg on two feet, with mu = 0.5, that slides at a speed and is pressed down, or pulled up.
-VelocityProblem<double> box_on_feet(double speed, double fall) {
-  VelocityProblem<double> problem;
-  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 6)};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(speed, -fall, 0)};
-  for (const double foot : {-0.5, 0.5}) {
-    const int normal = problem.row_count();
-    problem.rows.push_back({.b = {1}, .jacobian_b = {0, 1, foot}, .bounds = Bounds<double>::unilateral()});
-    problem.rows.push_back(
-        {.b = {1}, .jacobian_b = {1, 0, 0}, .bounds = Bounds<double>::coulomb(0.5, normal)});
-  }
-  problem.blocks = {{0, 4}};
-  problem.impulse.assign(4, 0);
-  return problem;
+VelocityProblem<double> box_on_two_feet(double speed, double fall) {
+  return box_on_feet<double>({-0.5, 0.5}, {speed, -fall, 0}, 0.5, 0);
 }
 
 /// Impulses after so many steps, each of which asks for a tenth of the product.
@@ -62,16 +44,16 @@ TEST_CASE(
     "through the interior a box finds Coulomb's friction, sliding or not, and lets go where it leaves") {
   for (const double speed : {-3.0, -0.2, 0.02, 0.09, 3.0}) {
     CAPTURE(speed);
-    const PerRow<double> impulse = impulses_after(box_on_feet(speed, weight), 60);
+    const PerRow<double> impulse = impulses_after(box_on_two_feet(speed, weight), 60);
     CHECK(impulse[0] + impulse[2] == doctest::Approx(weight).epsilon(1e-7));
     const double friction = std::min(0.5 * weight, std::abs(speed));
     CHECK(-(impulse[1] + impulse[3]) == doctest::Approx(std::copysign(friction, speed)).epsilon(1e-7));
   }
-  for (const double part : impulses_after(box_on_feet(1, -weight), 60)) CHECK(std::abs(part) <= 1e-9);
+  for (const double part : impulses_after(box_on_two_feet(1, -weight), 60)) CHECK(std::abs(part) <= 1e-9);
 }
 
 TEST_CASE("equalities go through the interior beside rows with bounds") {
-  VelocityProblem<double> problem = box_on_feet(0.5, weight);
+  VelocityProblem<double> problem = box_on_two_feet(0.5, weight);
   problem.rows[1].bounds = problem.rows[3].bounds = Bounds<double>::equality();  // feet that never slide
   const PerRow<double> impulse = impulses_after(problem, 60);
   CHECK(impulse[0] + impulse[2] == doctest::Approx(weight).epsilon(1e-7));
@@ -79,7 +61,7 @@ TEST_CASE("equalities go through the interior beside rows with bounds") {
 }
 
 TEST_CASE("upper bounds have a way through the interior; rows with two bounds, or all without, have none") {
-  VelocityProblem<double> problem = box_on_feet(0, weight);
+  VelocityProblem<double> problem = box_on_two_feet(0, weight);
   problem.rows.resize(1);
   problem.blocks = {{0, 1}};
   problem.impulse.assign(1, 0);
@@ -96,7 +78,7 @@ TEST_CASE("upper bounds have a way through the interior; rows with two bounds, o
 }
 
 TEST_CASE("a contact goes through the interior with its friction, wherever both stand among the rows") {
-  VelocityProblem<double> problem = box_on_feet(1, weight);
+  VelocityProblem<double> problem = box_on_two_feet(1, weight);
   std::swap(problem.rows[0], problem.rows[3]);  // the friction of the second foot, and the first foot
   problem.rows[0].bounds.normal_row = 2;
   problem.rows[1].bounds.normal_row = 3;
@@ -117,13 +99,7 @@ TEST_CASE("a contact goes through the interior with its friction, wherever both 
 }
 
 TEST_CASE("a ball that hits a pyramid leaves no step of Newton's method without its answer") {
-  Scene scene;
-  scene.add_ground();
-  for (int row = 0; row < 6; ++row) {
-    for (int i = 0; i < 6 - row; ++i) {
-      scene.add({.shapes = {box(1, 1)}, .position = {1.01 * (i - 0.5 * (5 - row)), 0.5 + row}});
-    }
-  }
+  Scene scene = samples::pyramid({.base = 6, .pitch = 1.01});
   scene.add({.shapes = {circle(1)}, .position = {0.3, 7.5}, .velocity = {0, -10}, .mass = 300});
   World<double> world(scene);
   NewtonSolver<double> solver({.iterations = 60, .tolerance = 1e-9});

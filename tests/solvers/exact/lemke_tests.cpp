@@ -1,11 +1,8 @@
 // Lemke's method on problems small enough to be solved by hand, and on many that are not.
-#include "solvers/exact/lemke.hpp"
-
-#include <doctest/doctest.h>
-
-#include <limits>
 #include <random>
-#include <stdexcept>
+
+#include "solvers/exact/lemke.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 

@@ -1,15 +1,5 @@
 // Newton's method as a solver for steps.
-#include "solvers/exact/newton_solver.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "../solver_list.hpp"
-#include "solvers/exact/exact_rows.hpp"
-#include "solvers/residual.hpp"
+#include "solvers/solver_list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -27,18 +17,7 @@ VelocityProblem<double> loaded_stack(int boxes, double top) {
 
 /// A box that is pushed along the ground on two feet, faster or slower than friction allows.
 VelocityProblem<double> pushed_box(double speed) {
-  VelocityProblem<double> problem;
-  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 6)};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(speed, -speed_of_a_step, 0)};
-  for (const double foot : {-0.5, 0.5}) {
-    const int normal = problem.row_count();
-    problem.rows.push_back({.b = {1}, .jacobian_b = {0, 1, foot}, .bounds = Bounds<double>::unilateral()});
-    problem.rows.push_back(
-        {.b = {1}, .jacobian_b = {1, 0, 0.5}, .bounds = Bounds<double>::coulomb(0.5, normal)});
-  }
-  problem.blocks = {{0, 4}};
-  problem.impulse.assign(4, 0);
-  return problem;
+  return box_on_feet<double>({-0.5, 0.5}, {speed, -speed_of_a_step, 0}, 0.5);
 }
 
 }  // namespace

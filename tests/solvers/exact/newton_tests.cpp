@@ -1,14 +1,11 @@
 // The exact methods against each other, and against sweeps, on random problems and on those of worlds.
-#include <limits>
 #include <random>
 
-#include "../../validation/problems.hpp"
+#include "validation/problems.hpp"
 #include "constraints/converted.hpp"
-#include "constraints/revolute_joint.hpp"
+#include "samples/samples.hpp"
 #include "solvers/exact/contact_modes.hpp"
 #include "solvers/exact/newton.hpp"
-#include "solvers/exact/reference_solver.hpp"
-#include "solvers/residual.hpp"
 #include "validation/case_scenes.hpp"
 
 using namespace cairn;
@@ -57,27 +54,14 @@ VelocityProblem<double> random_contact_problem(std::mt19937& random) {
   return problem;
 }
 
-double largest_difference(const PerBody<Vec3<double>>& a, const PerBody<Vec3<double>>& b) {
-  double largest = 0;
-  for (const BodyId i : a.indices()) largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff());
-  return largest;
-}
-
 /// What the world hands to its solver after some steps, with nothing to start from.
-VelocityProblem<double> problem_after(const Scene& scene, int steps) {
-  World<double> world(scene);
-  SequentialImpulse<double> solver;
-  for (int step = 0; step < steps; ++step) world.step(solver);
-  VelocityProblem<double> problem = world.velocity_problem();
-  for (double& impulse : problem.impulse) impulse = 0;
+VelocityProblem<double> cold_problem_after(const Scene& scene, int steps) {
+  VelocityProblem<double> problem = problem_after(scene, steps);
+  problem.impulse.assign(problem.row_count(), 0);
   return problem;
 }
 
-Scene box_pyramid(int base) {
-  Scene scene;
-  cases::add_pyramid(scene, base);
-  return scene;
-}
+Scene box_pyramid(int base) { return samples::pyramid({.base = base, .pitch = 1.1}); }
 
 Scene stone_arch(int stones) { return cases::masonry_arch({.stones = stones, .thickness = 0.12}); }
 
@@ -110,7 +94,7 @@ TEST_CASE(
     ++solved;
     double least = std::numeric_limits<double>::infinity();
     for (const ContactSolution<double>& solution : all.solutions) {
-      least = std::min(least, largest_difference(problem.velocity, solution.velocity));
+      least = std::min(least, largest_gap(problem.velocity, solution.velocity));
     }
     // Velocities up to 100 m/s and condition numbers up to 1e4, in long double; then they are rounded.
     CHECK(least <= 1e-12);
@@ -132,7 +116,7 @@ TEST_CASE("accelerated PGS, once converged, has the velocities of the exact answ
     if (!is_exact || !has_converged || solver.report().velocity.verdict != Uniqueness::unique) continue;
     ++compared;
     // |dv| is at most the condition number times R_E, which is 1e-13.
-    CHECK(largest_difference(exact.velocity, swept.velocity) <= 1e-9);
+    CHECK(largest_gap(exact.velocity, swept.velocity) <= 1e-9);
   }
   CHECK(compared > 80);
 }
@@ -152,7 +136,7 @@ TEST_CASE("the reference solver always gives the same bits, whatever the impulse
 
 TEST_CASE("pyramids and arches from worlds are solved by Lemke's method until R_E is at most 1e-12") {
   for (const Scene& scene : {box_pyramid(3), box_pyramid(4), stone_arch(9), stone_arch(13)}) {
-    VelocityProblem<double> problem = problem_after(scene, 3);
+    VelocityProblem<double> problem = cold_problem_after(scene, 3);
     const double scale = residual_scale(problem);
     ReferenceSolver<double> solver({.other_covers = 0});
     CHECK(solver.solve(problem).converged);
@@ -166,7 +150,7 @@ TEST_CASE("pyramids and arches from worlds are solved by Lemke's method until R_
 
 TEST_CASE(
     "a chain with a bob of a million links' mass is solved alike by elimination and by Newton's method") {
-  const VelocityProblem<double> start = problem_after(chain_with_bob(10, 1e6), 1);
+  const VelocityProblem<double> start = cold_problem_after(chain_with_bob(10, 1e6), 1);
   VelocityProblem<double> direct = start, iterated = start;
   ReferenceSolver<double> solver;
   CHECK(solver.solve(direct).converged);
@@ -176,7 +160,7 @@ TEST_CASE(
   CHECK(newton_solver.report().method == ReferenceMethod::newton);
   CHECK(newton_solver.report().velocity.verdict == Uniqueness::unique);
   // R_E of 1e-12 at most, times a condition of 10^2 links and, by its root, the mass ratio.
-  CHECK(largest_difference(direct.velocity, iterated.velocity) <= 1e-7);
+  CHECK(largest_gap(direct.velocity, iterated.velocity) <= 1e-7);
 }
 
 TEST_CASE("Newton's method agrees with Lemke's at a hundred rows and more, without and with friction") {
@@ -191,7 +175,7 @@ TEST_CASE("Newton's method agrees with Lemke's at a hundred rows and more, witho
           {.shapes = {box(1, 1)}, .position = {5.0 + 2 * i, 0.5}, .velocity = {speed, 0}, .friction = mu});
     }
     scene.add_ground({.half_width = 100, .friction = mu});
-    const VelocityProblem<double> start = problem_after(scene, 2);
+    const VelocityProblem<double> start = cold_problem_after(scene, 2);
     REQUIRE(start.row_count() >= 100);
     VelocityProblem<double> direct = start, iterated = start;
     ReferenceSolver<double> solver({.newton_rows = 400, .other_covers = 0});
@@ -201,7 +185,7 @@ TEST_CASE("Newton's method agrees with Lemke's at a hundred rows and more, witho
     REQUIRE(newton_solver.solve(iterated).converged);
     CHECK(newton_solver.report().method == ReferenceMethod::newton);
     // R_E of 1e-12 at most, times the condition: 50 links, 10 times heavier at the end.
-    CHECK(largest_difference(direct.velocity, iterated.velocity) <= 1e-8);
+    CHECK(largest_gap(direct.velocity, iterated.velocity) <= 1e-8);
   }
 }
 
@@ -249,7 +233,7 @@ TEST_CASE("pyramids of 256, 400 and 784 rows, at rest and in motion, are solved 
   for (const int base : {8, 10, 14}) {
     for (const int steps : {0, 3}) {
       if (base == 14 && steps == 3) continue;  // takes longer than all others together
-      VelocityProblem<double> problem = problem_after(box_pyramid(base), steps);
+      VelocityProblem<double> problem = cold_problem_after(box_pyramid(base), steps);
       REQUIRE(problem.row_count() == 4 * base * base);  // two contacts a box below, base + base (base - 1)
       VelocityProblem<long double> exact = converted<long double>(problem);
       const long double scale = residual_scale(exact);
@@ -262,10 +246,7 @@ TEST_CASE("pyramids of 256, 400 and 784 rows, at rest and in motion, are solved 
 
 TEST_CASE(
     "a hundred boxes on each other are solved however high: n rows of contacts that repeat each other") {
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < 100; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}});
-  VelocityProblem<double> problem = problem_after(scene, 0);
+  const VelocityProblem<double> problem = problem_after(samples::stack(100), 0);
   REQUIRE(problem.row_count() == 400);
   VelocityProblem<long double> exact = converted<long double>(problem);
   CHECK(newton(exact).converged);
@@ -290,7 +271,7 @@ TEST_CASE("Newton's method lists one of the solutions of random problems, nearly
     double least = std::numeric_limits<double>::infinity();
     for (const ContactSolution<double>& solution : all.solutions) {
       const VelocityProblem<double> rounded = converted<double>(problem);
-      least = std::min(least, largest_difference(rounded.velocity, solution.velocity));
+      least = std::min(least, largest_gap(rounded.velocity, solution.velocity));
     }
     // R_E of 1e-15, velocities up to 100 m/s and condition numbers up to 1e4.
     CHECK(least <= 1e-10);

@@ -1,12 +1,5 @@
 // Rows without units, a centre, and rows made soft around it.
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "../solver_list.hpp"
-#include "solvers/exact/exact_rows.hpp"
-#include "solvers/exact/newton_steps.hpp"
-#include "solvers/exact/slope_factors.hpp"
+#include "solvers/solver_list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;

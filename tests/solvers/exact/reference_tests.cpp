@@ -1,10 +1,5 @@
 // The exact solver on problems with a known answer, and against every other way to solve a problem.
-#include "solvers/exact/reference_solver.hpp"
-
-#include <stdexcept>
-
-#include "../../validation/problems.hpp"
-#include "math/list.hpp"
+#include "validation/problems.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -68,9 +63,7 @@ TEST_CASE("a heavy box on a light one is solved to 1e-12 for a mass ratio of 1e6
 
 // A9
 TEST_CASE("a box on three points: one velocity, by convexity, and many impulses, by rank") {
-  VelocityProblem<double> problem = empty_problem<double>();
-  const BodyId body = add_body<double>(problem, 1, 1.0 / 6, {0, -reference_fall, 0});
-  for (const double x : {-0.5, 0.0, 0.5}) add_row(problem, floor_row<double>(body, x));
+  VelocityProblem<double> problem = box_on_feet<double>({-0.5, 0, 0.5}, {0, -reference_fall, 0});
   ReferenceSolver<double> solver = by_lemke();
   CHECK(solver.solve(problem).converged);
   CHECK(problem.velocity[{1}].cwiseAbs().maxCoeff() <= 4 * double_epsilon);

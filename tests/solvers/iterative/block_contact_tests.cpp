@@ -1,39 +1,21 @@
 // Contacts solved as a whole: Coulomb's law at a point, and the two normals of a manifold.
-#include <doctest/doctest.h>
-
-#include <limits>
 #include <random>
 
-#include "measure/recorder.hpp"
-#include "../solver_list.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
-#include "solvers/residual.hpp"
-#include "solvers/system_matrix.hpp"
-#include "world/world.hpp"
+#include "solvers/solver_list.hpp"
+#include "samples/samples.hpp"
+#include "validation/case_scenes.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
 
 namespace {
 
-/// The same numbers on every machine: the bits of the generator are standard, those of a distribution are
-/// not.
-class BlockRandom {
- public:
-  explicit BlockRandom(std::uint64_t seed) : bits_(seed) {}
-  template <Scalar Real>
-  Real in(double low, double high) {
-    return static_cast<Real>(low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
+using BlockRandom = std::function<double(double, double)>;
 
 /// The normal and friction rows of `points` contacts between two bodies, drawn at random; as one block.
 template <Scalar Real>
-VelocityProblem<Real> random_contacts(BlockRandom& random, int points) {
-  const auto any = [&](double low, double high) { return random.in<Real>(low, high); };
+VelocityProblem<Real> random_contacts(const BlockRandom& random, int points) {
+  const auto any = [&](double low, double high) { return static_cast<Real>(random(low, high)); };
   VelocityProblem<Real> problem;
   for (int body = 0; body < 2; ++body) {
     const Real mass = any(0.1, 10);
@@ -107,19 +89,10 @@ bool obeys_coulomb(const VelocityProblem<Real>& start, const VelocityProblem<Rea
   return true;
 }
 
-/// Painleve's rod: uniform, 1 kg, 1 m, tan = 2, its lower end on the ground after a step of g dt = 0.01 m/s,
-/// sliding at 1 m/s. A_nn = 1.6, A_tt = 3.4, |A_nt| = 1.2. `lean` is 1 or -1: to which side it leans.
-VelocityProblem<double> painleve_rod(double mu, double lean) {
-  const double r_x = lean * 0.5 / std::sqrt(5.0);
-  const double r_y = -1 / std::sqrt(5.0);
-  VelocityProblem<double> problem;
-  problem.inverse_mass = {Vec3<double>::Zero(), Vec3<double>(1, 1, 12)};
-  problem.velocity = {Vec3<double>::Zero(), Vec3<double>(1, -0.01, 0)};
-  problem.rows.resize(2);
-  problem.rows[0] = {.b = {1}, .jacobian_b = {0, 1, r_x}, .bounds = Bounds<double>::unilateral()};
-  problem.rows[1] = {.b = {1}, .jacobian_b = {1, 0, -r_y}, .bounds = Bounds<double>::coulomb(mu, 0)};
+/// Painleve's rod, as a block: its lower end slides along the ground at 1 m/s, to the right or to the left.
+VelocityProblem<double> rod_in_a_block(double speed, double mu) {
+  VelocityProblem<double> problem = painleve_rod<double>(speed, mu);
   problem.blocks = {{0, 2}};
-  problem.impulse = {0, 0};
   return problem;
 }
 
@@ -127,7 +100,7 @@ VelocityProblem<double> painleve_rod(double mu, double lean) {
 
 TEST_CASE_TEMPLATE("one sweep gives 1000 random contacts their answer by Coulomb's law", Real, float,
                    double) {
-  BlockRandom random(1);
+  const BlockRandom random = uniform_numbers(1);
   int open = 0, sticking = 0, slipping = 0;
   for (int trial = 0; trial < 1000; ++trial) {
     const VelocityProblem<Real> start = random_contacts<Real>(random, 1);
@@ -148,7 +121,7 @@ TEST_CASE_TEMPLATE("one sweep gives 1000 random contacts their answer by Coulomb
 
 TEST_CASE_TEMPLATE("one sweep gives the two normals of 1000 random manifolds their answer", Real, float,
                    double) {
-  BlockRandom random(2);
+  const BlockRandom random = uniform_numbers(2);
   int held[3] = {0, 0, 0};
   for (int trial = 0; trial < 1000; ++trial) {
     VelocityProblem<Real> start = random_contacts<Real>(random, 2);
@@ -168,14 +141,8 @@ TEST_CASE_TEMPLATE("one sweep gives the two normals of 1000 random manifolds the
 
 TEST_CASE_TEMPLATE("a box that lands on two contacts is at rest on both after one sweep", Real, float,
                    double) {
-  VelocityProblem<Real> problem;
-  problem.inverse_mass = {Vec3<Real>::Zero(), Vec3<Real>(1, 1, 6)};
-  problem.velocity = {Vec3<Real>::Zero(), Vec3<Real>(0, -1, Real(0.5))};
-  for (const Real foot : {Real(-0.5), Real(0.5)}) {
-    problem.rows.push_back({.b = {1}, .jacobian_b = {0, 1, foot}, .bounds = Bounds<Real>::unilateral()});
-  }
+  VelocityProblem<Real> problem = box_on_feet<Real>({Real(-0.5), Real(0.5)}, {0, -1, Real(0.5)});
   problem.blocks = {{0, 2}};
-  problem.impulse = {0, 0};
   VelocityProblem<Real> scalar = problem;
   BlockSequentialImpulse<Real>({.iterations = 1}, ContactBlock::two_normals).solve(problem);
   // p_1 + p_2 = m v = 1 and (p_2 - p_1) / 2 = -I w = -1/12; both below 1 N s, A below 4 1/kg.
@@ -188,7 +155,7 @@ TEST_CASE_TEMPLATE("a box that lands on two contacts is at rest on both after on
 }
 
 TEST_CASE("two normals first, then friction inside the bounds that they gave") {
-  BlockRandom random(3);
+  const BlockRandom random = uniform_numbers(3);
   for (int trial = 0; trial < 200; ++trial) {
     VelocityProblem<double> problem = random_contacts<double>(random, 2);
     BlockSequentialImpulse<double>({.iterations = 1}, ContactBlock::two_normals).solve(problem);
@@ -201,15 +168,15 @@ TEST_CASE("two normals first, then friction inside the bounds that they gave") {
 
 TEST_CASE("Painleve's rod: for mu above 4/3 row by row goes round in a circle, the block slips") {
   for (const double mu : {1.4, 2.0}) {
-    VelocityProblem<double> scalar = painleve_rod(mu, -1);
+    VelocityProblem<double> scalar = rod_in_a_block(-1, mu);
     const SolveReport report =
         SequentialImpulse<double>({.iterations = 100000, .patience = 10}).solve(scalar);
     CHECK(report.stop == Stop::cycle);  // normal and friction take turns: mu A_nt > A_nn
     CHECK(report.largest_change > 0.001);
-    VelocityProblem<double> block = painleve_rod(mu, -1);
+    VelocityProblem<double> block = rod_in_a_block(-1, mu);
     BlockSequentialImpulse<double>({.iterations = 1}).solve(block);
     CHECK(block.impulse[0] == doctest::Approx(0.01 / (1.6 + 1.2 * mu)).epsilon(1e-14));
-    CHECK(block.impulse[1] == doctest::Approx(-mu * block.impulse[0]).epsilon(1e-14));
+    CHECK(block.impulse[1] == doctest::Approx(mu * block.impulse[0]).epsilon(1e-14));
   }
 }
 
@@ -217,7 +184,7 @@ TEST_CASE("Painleve's rod on the other side: an impact without a collision, the 
   // It sticks: w = 0. lambda_n = (A_tt g dt + |A_nt| v_t) / (A_nn A_tt - A_nt^2) = 0.3085.
   const double expected = (3.4 * 0.01 + 1.2 * 1) / (1.6 * 3.4 - 1.2 * 1.2);
   for (const double mu : {1.34, 1.4, 2.0, 1e6}) {
-    VelocityProblem<double> block = painleve_rod(mu, 1);
+    VelocityProblem<double> block = rod_in_a_block(1, mu);
     BlockSequentialImpulse<double>({.iterations = 1}).solve(block);
     CHECK(block.impulse[0] == doctest::Approx(expected).epsilon(1e-13));  // the determinant is a third of A's
     CHECK(std::abs(row_velocity(block, block.rows[1])) <= 1e-14);
@@ -226,7 +193,7 @@ TEST_CASE("Painleve's rod on the other side: an impact without a collision, the 
 
 TEST_CASE("where open, stick and slip are all answers, bodies that part are given no impulse") {
   // Painleve's indeterminate case: q_n > 0, but sliding friction would press the rod to the ground.
-  VelocityProblem<double> rod = painleve_rod(2, 1);
+  VelocityProblem<double> rod = rod_in_a_block(1, 2);
   rod.velocity[{1}].y() = 0.01;
   rod.impulse = {0.3, -0.4};  // begun from close to where it sticks, which is an answer too
   BlockSequentialImpulse<double>({.iterations = 1}).solve(rod);
@@ -237,7 +204,7 @@ TEST_CASE("where open, stick and slip are all answers, bodies that part are give
 
 TEST_CASE("blocks and SI come to the same velocities where there is one answer only") {
   // Friction moves normals by mu |A_nt| < A_nn: one answer, and both methods contract.
-  BlockRandom random(4);
+  const BlockRandom random = uniform_numbers(4);
   int compared = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const VelocityProblem<double> start = random_contacts<double>(random, 1);
@@ -266,10 +233,7 @@ TEST_CASE(
   // Two equal normal impulses tilt nothing, so that friction has nothing to do: the rate is cos^2(pi / 2 n).
   // Row by row the first of two normals tilts its box, and the slow modes of friction are awake.
   constexpr int boxes = 10;
-  Scene scene;
-  scene.add_ground();
-  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}});
-  VelocityProblem<double> problem = World(scene).velocity_problem();
+  VelocityProblem<double> problem = problem_after(samples::stack(boxes), 0);
   CHECK(problem.row_count() == 4 * boxes);
   SweepRecorder<double> recorder;
   BlockSequentialImpulse<double>({.iterations = 200}, ContactBlock::two_normals).solve(problem, &recorder);

@@ -1,25 +1,10 @@
 // In which order blocks and their rows take their turns, what is refused, and what is kept in memory.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
-#include "../solver_list.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
+#include "solvers/solver_list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
 
 namespace {
-
-class BlockVisits final : public SolveObserver<double> {
- public:
-  bool watches_rows() const override { return true; }
-  void after_row(const RowUpdate<double>& update, const VelocityProblem<double>&) override {
-    rows.push_back(update.row);
-  }
-  List<int> rows = {};
-};
 
 /// A chain of `links` bodies: link i hangs on link i - 1 by a pin, whose block begins with a row of a limit.
 /// Three rows a block: 3 i is x, 3 i + 1 the limit, 3 i + 2 is y.
@@ -44,7 +29,7 @@ VelocityProblem<double> limited_chain(int links) {
 
 /// The blocks of limited_chain in the order of their turns, over all sweeps.
 List<int> turns_of_blocks(VelocityProblem<double> problem, const SolverSettings& settings) {
-  BlockVisits visits;
+  RowWatcher<double> visits;
   BlockSequentialImpulse<double>(settings).solve(problem, &visits);
   List<int> blocks;
   for (int k = 0; k < visits.rows.size(); k += 3) {

@@ -1,20 +1,9 @@
 // Joints solved as a whole: pins, welds, and what stands beside them in their blocks.
-#include <doctest/doctest.h>
-
 #include <Eigen/LU>
-#include <limits>
 
+#include "solvers/solver_list.hpp"
 #include "constraints/converted.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "measure/energy.hpp"
-#include "measure/recorder.hpp"
-#include "../solver_list.hpp"
-#include "solvers/body_rows.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
-#include "solvers/residual.hpp"
-#include "solvers/system_matrix.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -46,14 +35,9 @@ template <typename Joint>
 VelocityProblem<double> line_of(int links, double angle) {
   Scene scene;
   const Vec2<double> along = {std::cos(angle), -std::sin(angle)};
-  BodyId last = ground;
-  for (int i = 0; i < links; ++i) {
-    const BodyId link =
-        scene.add({.shapes = {box(1, 0.1)}, .position = along * (i + 0.5), .angle = -angle, .mass = 1});
-    scene.join<Joint>({.a = last, .b = link, .anchor = along * i});
-    last = link;
-  }
-  return World(scene).velocity_problem();
+  samples::add_chain<Joint>(
+      scene, links, {.shapes = {box(1, 0.1)}, .position = along / 2, .angle = -angle, .mass = 1}, along);
+  return problem_after(scene, 0);
 }
 
 /// Block Gauss-Seidel on A lambda = b with dense matrices: the impulses [N s] after so many sweeps.

@@ -1,10 +1,7 @@
 // Jacobi's method against its closed forms: how fast, when not at all, and what damping changes (paper 4.4).
-#include <cmath>
 #include <numeric>
 
-#include "../../validation/problems.hpp"
-#include "solvers/iterative/jacobi.hpp"
-#include "solvers/residual.hpp"
+#include "validation/problems.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -29,20 +26,16 @@ VelocityProblem<double> glued(VelocityProblem<double> problem) {
 }
 
 /// A box of 1 kg on so many feet, evenly spread under its 1 m.
-VelocityProblem<double> box_on_feet(int feet) {
-  VelocityProblem<double> problem = empty_problem<double>();
-  const BodyId box = add_body<double>(problem, 1, 1.0 / 6, {0, -test_gravity * test_dt, 0});
-  for (int i = 0; i < feet; ++i) add_row(problem, floor_row<double>(box, -0.5 + i / (feet - 1.0)));
-  return problem;
+VelocityProblem<double> box_on_even_feet(int feet) {
+  List<double> places;
+  for (int i = 0; i < feet; ++i) places.push_back(-0.5 + i / (feet - 1.0));
+  return box_on_feet<double>(places, {0, -test_gravity * test_dt, 0});
 }
 
 template <Scalar Real>
 Real sum_of(const PerRow<Real>& impulses) {
   return std::accumulate(impulses.begin(), impulses.end(), Real(0));
 }
-
-SolverMaker<double> plain_jacobi() { return maker<Jacobi<double>, double>(); }
-SolverMaker<double> gauss_seidel() { return maker<SequentialImpulse<double>, double>(); }
 
 }  // namespace
 
@@ -54,18 +47,6 @@ TEST_CASE_TEMPLATE("Jacobi passes a weight on by one box a sweep: (10, 0, 0), (1
   CHECK(trace.sweeps[1] == PerRow<Real>{10, 0, 0});
   CHECK(trace.sweeps[2] == PerRow<Real>{10, 5, 0});
   CHECK(trace.sweeps[3] == PerRow<Real>{15, 5, Real(2.5)});
-}
-
-TEST_CASE(
-    "over a stack of n boxes Jacobi shrinks the error by cos(pi / 2n), and Gauss-Seidel by its square") {
-  for (const int n : {3, 5, 10, 20}) {
-    // By sweep 3 n^2 the next mode, cos(3 pi / 2n), is e^(-3 pi^2) = 1e-13 of the slowest. Modes come in
-    // pairs of both signs, so that sweeps are counted in twos.
-    const double jacobi = measured_rate(plain_jacobi(), stack<double>(n), 3 * n * n, 5 * n * n);
-    const double seidel = measured_rate(gauss_seidel(), stack<double>(n), 3 * n * n / 2, 5 * n * n / 2);
-    CHECK(std::log(jacobi) == doctest::Approx(std::log(std::cos(pi / (2 * n)))).epsilon(1e-6));
-    CHECK(std::log(seidel) == doctest::Approx(2 * std::log(jacobi)).epsilon(1e-6));
-  }
 }
 
 TEST_CASE_TEMPLATE("a box on three feet: plain Jacobi flips for ever between 27/11 of its weight and nothing",
@@ -114,8 +95,8 @@ TEST_CASE("a share omega of every correction leaves 1 - 27/11 omega of the error
 TEST_CASE("omega = 1 / feet converges for any number of feet; plain Jacobi stops at three, far apart") {
   for (int feet = 2; feet <= 12; ++feet) {
     CAPTURE(feet);
-    const double scale = residual_scale(box_on_feet(feet));
-    VelocityProblem<double> damped = box_on_feet(feet), plain = damped;
+    const double scale = residual_scale(box_on_even_feet(feet));
+    VelocityProblem<double> damped = box_on_even_feet(feet), plain = damped;
     // All feet ask for the same speed, and answer it with so much of it: the sum of 1 / (1 + 6 x^2).
     double answer = 0;
     for (const ConstraintRow<double>& row : plain.rows) {
@@ -131,7 +112,7 @@ TEST_CASE("omega = 1 / feet converges for any number of feet; plain Jacobi stops
 
 TEST_CASE("on one body, splitting the mass in n parts is damping by 1 / n") {
   for (int feet = 2; feet <= 12; ++feet) {
-    VelocityProblem<double> split = box_on_feet(feet), damped = split;
+    VelocityProblem<double> split = box_on_even_feet(feet), damped = split;
     Jacobi<double>({.iterations = 30}, Splitting::mass).solve(split);
     Jacobi<double>({.iterations = 30, .relaxation = 1.0 / feet}).solve(damped);
     for (int i = 0; i < split.impulse.size(); ++i) {

@@ -1,12 +1,8 @@
 // Jacobi's method on a tower with friction: split masses, the order of rows, and what an observer sees.
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
-#include "../../validation/problems.hpp"
-#include "geometry/shape.hpp"
-#include "solvers/iterative/jacobi.hpp"
-#include "solvers/residual.hpp"
+#include "validation/problems.hpp"
+#include "samples/samples.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -17,27 +13,8 @@ namespace {
 VelocityProblem<double> crooked_tower(int boxes) {
   Scene scene;
   scene.add_ground();
-  for (int i = 0; i < boxes; ++i) {
-    scene.add({.shapes = {box(1, 1)}, .position = {i % 2 == 0 ? 0.0 : 0.02, 0.5 + i}, .mass = 1});
-  }
-  return World<double>(scene).velocity_problem();
-}
-
-/// Row i of the result is row place[i] of the problem.
-VelocityProblem<double> reordered(const VelocityProblem<double>& problem, const PerRow<int>& place) {
-  PerRow<int> new_place(place.size());
-  for (int i = 0; i < place.size(); ++i) new_place[place[i]] = i;
-  VelocityProblem<double> result = problem;
-  result.blocks.clear();
-  for (int i = 0; i < place.size(); ++i) {
-    ConstraintRow<double> row = problem.rows[place[i]];
-    int& normal = row.bounds.normal_row;
-    if (normal != Bounds<double>::none) normal = new_place[normal];
-    result.rows[i] = row;
-    result.impulse[i] = problem.impulse[place[i]];
-    result.blocks.push_back({i, 1});
-  }
-  return result;
+  samples::add_staggered_stack(scene, boxes, 0.02);
+  return problem_after(scene, 0);
 }
 
 /// The largest difference that reversing the rows, or dealing them like cards, makes after 20 sweeps, over

@@ -1,27 +1,21 @@
 // The forms of projected Gauss-Seidel are one algorithm, stored in different ways.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "../../geometry/random_shapes.hpp"
-#include "../solver_list.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
-#include "world/world.hpp"
+#include "geometry/random_shapes.hpp"
+#include "solvers/solver_list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
 
 namespace {
 
-/// Every form but the dense one, which they are compared with.
+/// Every form but the dense one, which they are compared with. In long double there is none but SI.
 template <Scalar Real>
 List<SolverMaker<Real>> forms_of_pgs() {
-  return {maker<SparseProjectedGaussSeidel<Real>, Real>(), maker<FactoredProjectedGaussSeidel<Real>, Real>(),
-          maker<NaiveProjectedGaussSeidel<Real>, Real>(), maker<SequentialImpulse<Real>, Real>()};
+  if constexpr (std::is_same_v<Real, long double>)
+    return {maker<SequentialImpulse<Real>, Real>()};
+  else
+    return {maker<SparseProjectedGaussSeidel<Real>, Real>(),
+            maker<FactoredProjectedGaussSeidel<Real>, Real>(), maker<NaiveProjectedGaussSeidel<Real>, Real>(),
+            maker<SequentialImpulse<Real>, Real>()};
 }
 
 template <Scalar Real>
@@ -79,9 +73,7 @@ VelocityProblem<Real> stack_with_joints() {
   const BodyId bar = scene.add({.shapes = {box(2, 0.2)}, .position = {1.6, 1.2}, .angular_velocity = 1});
   scene.join<RevoluteJoint>({.a = ground, .b = bar, .anchor = {2.5, 1.2}});
   scene.join<DistanceJoint>({.a = ground, .b = top, .anchor_a = {2, 8}, .anchor_b = {0.25, 5.5}});
-  World<Real> world(scene);
-  SequentialImpulse<Real> solver;
-  for (int step = 0; step < 12; ++step) world.step(solver);
+  World<Real> world = world_after<Real>(scene, 12);
   return world.velocity_problem();
 }
 
@@ -126,10 +118,7 @@ void check_same_answer(const VelocityProblem<Real>& answer, const VelocityProble
   for (int i = 0; i < dense.impulse.size(); ++i) {
     CHECK(std::abs(answer.impulse[i] - dense.impulse[i]) <= tolerance * scale.largest);
   }
-  for (const BodyId body : dense.velocity.indices()) {
-    const Vec3<Real> gap = answer.velocity[body] - dense.velocity[body];
-    CHECK(gap.cwiseAbs().maxCoeff() <= tolerance * scale.fastest);
-  }
+  CHECK(largest_gap(answer.velocity, dense.velocity) <= tolerance * scale.fastest);
 }
 
 template <Scalar Real>
@@ -175,10 +164,7 @@ void check_forms_show_the_same(const VelocityProblem<Real>& start, int sweeps) {
       CHECK(std::abs(update.corrective - wanted.corrective) <= tolerance * expected.largest);
       CHECK(std::abs(update.impulse_before - wanted.impulse_before) <= tolerance * expected.largest);
       CHECK(std::abs(update.impulse_after - wanted.impulse_after) <= tolerance * expected.largest);
-      for (const BodyId body : start.velocity.indices()) {
-        const Vec3<Real> gap = seen.velocities[i + 1][body] - expected.velocities[i + 1][body];
-        CHECK(gap.cwiseAbs().maxCoeff() <= tolerance * expected.fastest);
-      }
+      CHECK(largest_gap(seen.velocities[i + 1], expected.velocities[i + 1]) <= tolerance * expected.fastest);
     }
   }
 }
@@ -186,7 +172,7 @@ void check_forms_show_the_same(const VelocityProblem<Real>& start, int sweeps) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("every form of PGS gives the same impulses and velocities on rows of every kind", Real,
-                   float, double) {
+                   float, double, long double) {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
     CAPTURE(seed);
     check_forms_agree(scattered_rows<Real>(seed));
@@ -202,20 +188,6 @@ TEST_CASE_TEMPLATE("every form of PGS gives the same impulses and velocities for
 
 TEST_CASE_TEMPLATE("every form of PGS shows an observer the same numbers, row by row", Real, float, double) {
   check_forms_show_the_same(scattered_rows<Real>(6), 4);
-}
-
-TEST_CASE("every form of PGS stops after the same sweep") {
-  VelocityProblem<double> dense = hand_made_stack<double>(10, 10, 0.02);
-  const SolveReport expected =
-      ProjectedGaussSeidel<double>({.iterations = 10000, .tolerance = 1e-6}).solve(dense);
-  REQUIRE(expected.converged);
-  for (const SolverMaker<double>& make : forms_of_pgs<double>()) {
-    VelocityProblem<double> problem = hand_made_stack<double>(10, 10, 0.02);
-    const SolveReport report = make({.iterations = 10000, .tolerance = 1e-6})->solve(problem);
-    CHECK(report.converged);
-    CHECK(report.iterations == expected.iterations);
-    CHECK(report.largest_change == doctest::Approx(expected.largest_change).epsilon(1e-9));
-  }
 }
 
 TEST_CASE("an empty problem is solved by every form of PGS") {
@@ -277,7 +249,9 @@ TEST_CASE("all forms of PGS stop after the same sweep for the same reason") {
       CHECK(report.stop == expected.stop);
       CHECK(report.converged == expected.converged);
       // Rounding may put the last sweeps of a standstill elsewhere.
-      if (settings.patience == 0) CHECK(report.iterations == expected.iterations);
+      if (settings.patience > 0) continue;
+      CHECK(report.iterations == expected.iterations);
+      CHECK(report.largest_change == doctest::Approx(expected.largest_change).epsilon(1e-9));
     }
   }
 }

@@ -1,23 +1,14 @@
 // Over-relaxation, held against D. M. Young's theory (Iterative methods for solving partial difference
 // equations of elliptic type, 1954).
-#include <doctest/doctest.h>
-
 #include <Eigen/Core>
-#include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "../solver_list.hpp"
-#include "math/list.hpp"
+#include "solvers/solver_list.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
 
 namespace {
-
-List<SolverMaker<double>> relaxing_solvers() {
-  return {maker<SequentialImpulse<double>, double>(), maker<ProjectedGaussSeidel<double>, double>()};
-}
 
 /// The stack with glue in its joints, so that no clamp disturbs the linear theory.
 template <Scalar Real>
@@ -51,14 +42,14 @@ double spectral_radius(const SolverMaker<double>& make, int boxes, const SolverS
 /// Young: with mu the spectral radius of Jacobi's method, here cos(pi / 2n), the radius x of SOR obeys
 /// x + omega - 1 = omega mu sqrt(x); its larger root, or omega - 1 once the roots are complex.
 double radius_by_young(int boxes, double omega) {
-  const double mu = std::cos(std::numbers::pi / (2 * boxes));
+  const double mu = std::cos(pi / (2 * boxes));
   const double discriminant = omega * omega * mu * mu - 4 * (omega - 1);
   if (discriminant <= 0) return omega - 1;
   const double root = (omega * mu + std::sqrt(discriminant)) / 2;
   return root * root;
 }
 
-double best_omega(int boxes) { return 2 / (1 + std::sin(std::numbers::pi / (2 * boxes))); }
+double best_omega(int boxes) { return 2 / (1 + std::sin(pi / (2 * boxes))); }
 
 /// The largest error of an impulse after so many sweeps over the glued stack [N s].
 long double error_after(int boxes, int sweeps, double omega) {
@@ -89,7 +80,7 @@ class RelaxedBoundsWatcher final : public SolveObserver<double> {
 }  // namespace
 
 TEST_CASE("relaxation multiplies what a row gives: one box, one sweep, omega times its weight") {
-  for (const SolverMaker<double>& make : relaxing_solvers()) {
+  for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const double omega : {0.25, 1.0, 1.5}) {
       VelocityProblem<double> problem = glued_stack<double>(1, 10);
       make({.iterations = 1, .relaxation = omega})->solve(problem);
@@ -103,7 +94,7 @@ TEST_CASE("relaxation multiplies what a row gives: one box, one sweep, omega tim
 }
 
 TEST_CASE("the rate of SOR on a stack is that of Young's theory, for every omega and for PGS as for SI") {
-  for (const SolverMaker<double>& make : relaxing_solvers()) {
+  for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const int boxes : {2, 5, 10}) {
       for (const double omega : {0.5, 0.9, 1.0, 1.2, 1.4, 1.6, 1.8, 1.95}) {
         const double radius = spectral_radius(make, boxes, {.iterations = 1, .relaxation = omega});
@@ -116,7 +107,7 @@ TEST_CASE("the rate of SOR on a stack is that of Young's theory, for every omega
 }
 
 TEST_CASE("backwards or by colours, SOR on a stack has the same rate: Young's consistent orders") {
-  for (const SolverMaker<double>& make : relaxing_solvers()) {
+  for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const RowOrder order : {RowOrder::reverse, RowOrder::coloured}) {
       for (const double omega : {1.0, 1.3, 1.9}) {
         const SolverSettings settings = {.iterations = 1, .order = order, .relaxation = omega};
@@ -128,7 +119,7 @@ TEST_CASE("backwards or by colours, SOR on a stack has the same rate: Young's co
 }
 
 TEST_CASE("the best omega for n boxes is 2 / (1 + sin(pi / 2n)), and its rate is omega - 1") {
-  for (const SolverMaker<double>& make : relaxing_solvers()) {
+  for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const int boxes : {2, 5, 10}) {
       const double omega = best_omega(boxes);
       const double best = spectral_radius(make, boxes, {.iterations = 1, .relaxation = omega});
@@ -143,7 +134,7 @@ TEST_CASE("the best omega for n boxes is 2 / (1 + sin(pi / 2n)), and its rate is
 
 TEST_CASE("ten boxes: the best omega needs 7 sweeps a digit where Gauss-Seidel needs 93") {
   const int boxes = 10;
-  const double plain = std::pow(std::cos(std::numbers::pi / (2 * boxes)), 2), best = best_omega(boxes) - 1;
+  const double plain = std::pow(std::cos(pi / (2 * boxes)), 2), best = best_omega(boxes) - 1;
   // The slowest error alone is left after 100 sweeps: the next one shrinks by cos^2(3 pi / 2n) = 0.79.
   const double measured_plain =
       static_cast<double>(std::pow(error_after(boxes, 300, 1) / error_after(boxes, 100, 1), 1.0L / 200));
@@ -159,7 +150,7 @@ TEST_CASE("ten boxes: the best omega needs 7 sweeps a digit where Gauss-Seidel n
 }
 
 TEST_CASE("clamping comes after relaxation, so that every impulse stays inside its bounds") {
-  for (const SolverMaker<double>& make : relaxing_solvers()) {
+  for (const SolverMaker<double>& make : paper_solvers<double>()) {
     VelocityProblem<double> problem = hand_made_stack<double>(5, 10, 0.02);
     problem.velocity[{2}].y() = 3;  // the second box is thrown up: its contact opens, the one above pushes
     RelaxedBoundsWatcher watcher;
@@ -169,24 +160,8 @@ TEST_CASE("clamping comes after relaxation, so that every impulse stays inside i
   }
 }
 
-TEST_CASE_TEMPLATE("PGS and SI relax alike, row by row", Real, float, double, long double) {
-  const Real epsilon = std::numeric_limits<Real>::epsilon();
-  for (const double omega : {0.7, 1.3, 1.8}) {
-    for (const int sweeps : {1, 2, 5, 20}) {
-      VelocityProblem<Real> by_si = hand_made_stack<Real>(6, 10, Real(0.02));
-      VelocityProblem<Real> by_pgs = by_si;
-      SequentialImpulse<Real>({.iterations = sweeps, .relaxation = omega}).solve(by_si);
-      ProjectedGaussSeidel<Real>({.iterations = sweeps, .relaxation = omega}).solve(by_pgs);
-      for (int i = 0; i < 6; ++i) {
-        // Impulses are below 6 weights of 0.2 N s; a sweep rounds and over-relaxes a few times.
-        CHECK(std::abs(by_si.impulse[i] - by_pgs.impulse[i]) <= 64 * epsilon * Real(1 + sweeps) * Real(1.2));
-      }
-    }
-  }
-}
-
 TEST_CASE("a relaxation that cannot converge is refused") {
-  for (const SolverMaker<double>& make : relaxing_solvers()) {
+  for (const SolverMaker<double>& make : paper_solvers<double>()) {
     for (const double omega : {-1.0, 0.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
       CHECK_THROWS_AS(make({.relaxation = omega}), std::invalid_argument);
     }

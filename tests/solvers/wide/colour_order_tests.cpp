@@ -1,31 +1,17 @@
 // In which order colours are gone through, by what it does to a pile.
-#include <doctest/doctest.h>
-
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
-#include "world/world.hpp"
+#include "samples/samples.hpp"
+#include "testing.hpp"
 
 using namespace cairn;
 
 namespace {
 
-/// Boxes of 1 m, a layer of so many on the ground.
-Scene pyramid(int layers) {
-  Scene scene;
-  scene.add_ground({.friction = 0.6});
-  for (int layer = 0; layer < layers; ++layer) {
-    for (int i = 0; i < layers - layer; ++i)
-      scene.add({.shapes = {box(1, 1)}, .position = {i + 0.5 * layer, 0.5 + layer}, .friction = 0.6});
-  }
-  return scene;
-}
-
 /// [m] How far the top is from its place after 4 s.
 double top_moves(Solver<double>& solver) {
-  World<double> world(pyramid(30));
+  World<double> world(samples::pyramid({.base = 30}));
   const BodyId top = {world.bodies().pose.size() - 1};
   const Vec2<double> place = world.bodies().pose[top].position;
-  for (int step = 0; step < 240; ++step) world.step(solver);
+  take_steps(world, solver, 240);
   return (world.bodies().pose[top].position - place).norm();
 }
 

@@ -1,11 +1,9 @@
 // Problems that fill lanes, and what to compare of their answers.
 #pragma once
 
-#include <algorithm>
 #include <random>
 
-#include "math/list.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
+#include "solvers/solver_list.hpp"
 
 namespace cairn::testing {
 
@@ -98,44 +96,18 @@ bool same_bits(const VelocityProblem<Real>& one, const VelocityProblem<Real>& ot
   return same;
 }
 
-template <Scalar Real>
-Real largest_lane_gap(const VelocityProblem<Real>& one, const VelocityProblem<Real>& other) {
-  Real largest = 0;
-  for (const BodyId body : one.velocity.indices()) {
-    largest = std::max(largest, (one.velocity[body] - other.velocity[body]).cwiseAbs().maxCoeff());
-  }
-  return largest;
-}
-
 /// The rows in the order in which a sweep updates them.
 template <Scalar Real>
 class OrderWatcher final : public SolveObserver<Real> {
  public:
   bool watches_rows() const override { return true; }
   void after_row(const RowUpdate<Real>& update, const VelocityProblem<Real>& problem) override {
-    const ConstraintRow<Real>& row = problem.rows[update.row];
     if (update.sweep == 1) rows.push_back(update.row);
-    outside += row.bounds.clamp(update.impulse_after, problem.impulse) != update.impulse_after;
+    outside += is_outside(problem, update.row, update.impulse_after);
     outside += problem.impulse[update.row] != update.impulse_after;
   }
   List<int> rows;
   int outside = 0;
 };
-
-template <Scalar Real>
-VelocityProblem<Real> reordered(const VelocityProblem<Real>& problem, const List<int>& order) {
-  VelocityProblem<Real> result = problem;
-  List<int> place(order.size());
-  for (int k = 0; k < order.size(); ++k) place[order[k]] = k;
-  for (int k = 0; k < order.size(); ++k) {
-    ConstraintRow<Real> row = problem.rows[order[k]];
-    Bounds<Real>& bounds = row.bounds;
-    if (bounds.normal_row >= 0) bounds.normal_row = place[bounds.normal_row];
-    if (bounds.second_normal_row >= 0) bounds.second_normal_row = place[bounds.second_normal_row];
-    result.rows[k] = row;
-    result.impulse[k] = problem.impulse[order[k]];
-  }
-  return result;
-}
 
 }  // namespace cairn::testing

@@ -1,16 +1,6 @@
 // Sequential impulses in lanes: the numbers of SequentialImpulse in the same order, whatever the registers.
 #include "constraints/converted.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "lane_grid.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/residual.hpp"
 
 using namespace cairn;
 using namespace cairn::testing;
@@ -51,7 +41,7 @@ TEST_CASE_TEMPLATE("lanes sweep as sequential impulses do in the same order, to 
       for (int k = 0; k < watcher.rows.size(); ++k) {
         CHECK(std::abs(wide.impulse[watcher.rows[k]] - plain.impulse[k]) <= tolerance);
       }
-      CHECK(largest_lane_gap(wide, plain) <= tolerance);
+      CHECK(largest_gap(wide.velocity, plain.velocity) <= tolerance);
       if (sweeps == 5) CHECK(same_bits(wide, watched));
     }
   }
@@ -101,7 +91,7 @@ TEST_CASE("rows that fit into no lane come to the answer that sequential impulse
   const SolverSettings settings = {.iterations = 20000, .tolerance = 1e-11};
   CHECK(WideSequentialImpulse<double>(settings).solve(wide).converged);
   CHECK(SequentialImpulse<double>(settings).solve(plain).converged);
-  CHECK(largest_lane_gap(wide, plain) <= 1e-8);
+  CHECK(largest_gap(wide.velocity, plain.velocity) <= 1e-8);
 }
 
 TEST_CASE("a solver that knows other problems gives the bits of one that is new") {
@@ -147,7 +137,7 @@ TEST_CASE("springs too weak for a number of a lane give nothing, and nothing tha
   // (bias - j v) / softness: at most 1 + 6, for all of it is made of numbers below 1; over 1e30.
   const double most = 7e-30;
   for (const double impulse : problem.impulse) CHECK(std::abs(impulse) <= most);
-  CHECK(largest_lane_gap(problem, start) == 0);  // so little is lost in any velocity
+  CHECK(largest_gap(problem.velocity, start.velocity) == 0);  // so little is lost in any velocity
 }
 
 TEST_CASE("velocities that are not numbers end no solve early, and blocks that leave rows out are refused") {
