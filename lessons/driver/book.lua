@@ -1,5 +1,5 @@
 -- Makes the pages of the lesson book, within pandoc, of what the driver has gathered:
---   pandoc --from gfm --to plain --lua-filter book.lua --metadata facts=FACTS.lua /dev/null
+--   pandoc --from gfm --to plain --lua-filter book.lua --metadata facts=FACTS.lua --output /dev/null /dev/null
 -- FACTS.lua returns what book_making.cpp knows of the lessons beside their texts.
 local source = PANDOC_SCRIPT_FILE:match("^(.*/)") or ""
 local parts = dofile(source .. "book_lesson.lua")

@@ -112,10 +112,10 @@ end
 -- the page under a title of its own.
 local function with_addition(html, section, title, addition, is_first)
   if addition == "" then return html end
-  local anchor = text.anchor_of(section)
-  local _, heading = html:find("<h2 id=\"" .. anchor .. "\">.-</h2>", 1)
+  local heading = html:find("<h2 id=\"" .. text.anchor_of(section) .. "\">", 1, true)
   if not heading then return html .. "<h2 id=\"" .. text.anchor_of(title) .. "\">" .. title .. "</h2>\n" .. addition end
-  local at = is_first and heading or (html:find("<h2", heading, true) or #html + 1) - 1
+  local _, behind = html:find("</h2>", heading, true)
+  local at = is_first and behind or (html:find("<h2", behind, true) or #html + 1) - 1
   return html:sub(1, at) .. "\n" .. addition .. html:sub(at + 1)
 end
 
@@ -142,7 +142,7 @@ local function folded(html)
 end
 
 function parts.places(more)
-  local result = { has_playground = book.has_playground }
+  local result = { files = {}, has_playground = book.has_playground }
   for _, name in ipairs({ "pages", "symbols", "terms" }) do result[name] = book[name] end
   for name, value in pairs(more or {}) do result[name] = value end
   return result

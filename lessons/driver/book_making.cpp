@@ -154,7 +154,7 @@ BookSize make_pages(const Context& context, const Workshop& shop) {
                                               {"has_handouts", shop.has_handouts}}));
   const ProcessResult made = run_quietly({"pandoc", "--from", "gfm", "--to", "plain", "--lua-filter",
                                           (lessons_folder() / "driver/book.lua").string(), "--metadata",
-                                          "facts=" + facts.string(), "/dev/null"});
+                                          "facts=" + facts.string(), "--output", "/dev/null", "/dev/null"});
   require_uninterrupted();
   if (made.code != 0 || !made.output.empty())
     throw ProgramFailed("pandoc cannot make the pages:\n" + made.output, cannot_make);

@@ -25,33 +25,39 @@ local function written(blocks)
   return pandoc.write(pandoc.Pandoc(blocks), "html", { html_math_method = "mathml" })
 end
 
--- <math> of TeX. Symbols that the notation explains are links to there.
-local function math(tex, style, places)
-  local html = written({ pandoc.Plain({ pandoc.Math("InlineMath", tex) }) })
-  local inside = html:match("<semantics>(.*)<annotation")
+-- <math> of TeX, of a kind of pandoc's. Words are one identifier each, and the names of functions stand as close as
+-- letters do. Symbols that the notation explains are links to there.
+local function math(tex, kind, places)
+  local inside = written({ pandoc.Plain({ pandoc.Math(kind, tex) }) }):match("<semantics>(.*)<annotation")
   if not inside then error("pandoc cannot read the formula " .. tex) end
-  inside = inside:gsub("<mi>Δ</mi>%s*<mi>(%a)</mi>", "<mi>Δ%1</mi>"):gsub("<mi>([^<]*)</mi>", function(name)
+  inside = inside:gsub("<mstyle mathvariant=\"normal\">(.-)</mstyle>", function(letters)
+    return (letters:gsub("</mi><mi>", ""):gsub("<mi>(%a+)</mi>", "<mi mathvariant=\"normal\">%1</mi>"))
+  end)
+  inside = inside:gsub("<mo>(%l%l+)</mo>", "<mo lspace=\"0em\" rspace=\"0.167em\">%1</mo>")
+  inside = inside:gsub("<mi>/</mi>", "<mo lspace=\"0em\" rspace=\"0em\">/</mo>"):gsub("<mi>Δ</mi><mi>(%a)</mi>", "<mi>Δ%1</mi>")
+  inside = inside:gsub("<mi>([^<]*)</mi>", function(name)
     local address = places.symbols[name]
     return address and ("<mi><a href=\"%s\" tabindex=\"-1\">%s</a></mi>"):format(address, name)
   end)
-  return "<math" .. style .. ">" .. inside .. "</math>"
+  if kind == "DisplayMath" then return "<math displaystyle=\"true\">" .. inside .. "</math>" end
+  return "<math>" .. inside:gsub("stretchy=\"true\"", "stretchy=\"false\"") .. "</math>"
 end
 
 -- A cell of a row: a formula, or the \text beside it.
 local function cell_html(cell, places)
   local words = cell:match("^\\text{([^{}]*)}$")
-  local html = words and text.inline(words, places) or math(cell, " displaystyle=\"true\"", places)
+  local html = words and text.inline(words, places) or math(cell, "DisplayMath", places)
   return "<span>" .. html .. "</span>"
 end
 
--- A formula as a table: the number of the equation, then what && parts. Rows end with \\ in an align.
+-- A formula as a table: the number of the equation, then what && or \qquad part. Rows end with \\ in an align.
 local function formula(tex, places)
   local matrices, rows = {}, ""
   tex = tex:gsub("\\begin{bmatrix}.-\\end{bmatrix}", function(matrix)
     table.insert(matrices, matrix)
     return "\1" .. #matrices .. "\2"
   end)
-  tex = tex:gsub("\\begin{align}", ""):gsub("\\end{align}", "")
+  tex = tex:gsub("\\begin{align}", ""):gsub("\\end{align}", ""):gsub("\\qquad", "&&")
   for row in (tex .. "\\\\"):gmatch("(.-)\\\\") do
     local star, tag = row:match("\\tag(%*?){(.-)}")
     if star == "" then tag = "(" .. tag .. ")" end
@@ -72,7 +78,8 @@ function text.code(code, language)
   if not language and code:find("^bash ") then language = "bash" end
   local html = written({ pandoc.CodeBlock(code, { class = language or "" }) })
   local lines = html:match("<code[^>]*>(.*)</code>"):gsub("<span id=\"cb[^>]*><a [^>]*></a>", "<span>")
-  return "<pre tabindex=\"0\"><code>" .. lines .. "</code></pre>"
+  local class = language and " class=\"" .. language .. "\"" or ""
+  return "<pre tabindex=\"0\"><code" .. class .. ">" .. lines .. "</code></pre>"
 end
 
 -- A file or an output with a caption, which is HTML.
@@ -116,10 +123,9 @@ local function led_on(target, places)
     target:find("your_solver/README%.md") and "your_solver.html" or target:find("glossary%.md") and "glossary.html"
 end
 
-local function filter_for(places)
+local function block_filter_for(places)
   local raw = function(html) return pandoc.RawBlock("html", html) end
   return {
-    traverse = "topdown",
     Blocks = function(blocks)
       local result = pandoc.List()
       local comment = ""
@@ -145,11 +151,17 @@ local function filter_for(places)
     Table = function(rows)
       return { raw("<div class=\"table\" role=\"region\" aria-label=\"Table\" tabindex=\"0\">"), rows, raw("</div>") }
     end,
+  }
+end
+
+-- For what is left once some paragraphs have become blocks.
+local function inline_filter_for(places)
+  return {
     Link = function(link)
       link.target = led_on(link.target, places) or ""
       return link.target == "" and link.content or link
     end,
-    Math = function(tex) return pandoc.RawInline("html", math(tex.text, "", places)) end,
+    Math = function(tex) return pandoc.RawInline("html", math(tex.text, tex.mathtype, places)) end,
   }
 end
 
@@ -199,7 +211,6 @@ end
 --   cover   HTML that stands for every picture of the text
 --   symbols of formulas, and terms: where they are explained
 function text.html(markdown, places)
-  places.files = places.files or {}
   for file, name in markdown:gmatch("<!%-%- source: (%S+) (.-) %-%->") do
     places.files[file] = places.files[file] or "#" .. file:gsub("%.%./", "") .. "-" .. name
   end
@@ -210,14 +221,15 @@ function text.html(markdown, places)
     return id
   end
   local blocks = pandoc.read(markdown, "gfm+tex_math_dollars").blocks
-  return text.with_terms(written(pandoc.walk_block(pandoc.Div(blocks), filter_for(places)).content), places.terms)
+  local led = pandoc.walk_block(pandoc.Div(blocks), block_filter_for(places))
+  return text.with_terms(written(pandoc.walk_block(led, inline_filter_for(places)).content), places.terms)
 end
 
 -- HTML of a few words, without their paragraph.
 function text.inline(markdown, places)
   local blocks = pandoc.read(markdown, "gfm+tex_math_dollars").blocks
   if #blocks == 0 then return "" end
-  return written({ pandoc.Plain(pandoc.walk_block(blocks[1], { Math = filter_for(places).Math }).content) })
+  return written({ pandoc.Plain(pandoc.walk_block(blocks[1], inline_filter_for(places)).content) })
 end
 
 -- A formula that a program prints, such as "v₂ = v₁ + M⁻¹ Jᵀ λ Δt", as MathML; words as they are.
@@ -226,7 +238,7 @@ function text.typeset(words, places)
   if words:find("%l%l%l") then return text.escaped(words) end
   for from, to in pairs(scripts) do words = words:gsub(from, to) end
   words = words:gsub("%(([^()]*)%) / %(([^()]*)%)", "\\frac{%1}{%2}"):gsub("%(([^()]*)%) / (Δt)", "\\frac{%1}{%2}")
-  return math(words, " displaystyle=\"true\"", places)
+  return math(words, "DisplayMath", places)
 end
 
 return text
