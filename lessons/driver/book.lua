@@ -85,7 +85,7 @@ end
 
 local function glossary_page(glossary)
   local html = text.html(glossary, parts.places({ terms = {}, symbols = {} }))
-  return text_page("Glossary", (html:gsub("<li><p?>?<strong>(.-)</strong>", function(name)
+  return text_page("Glossary", (html:gsub("<li><strong>(.-)</strong>", function(name)
     return "<li id=\"" .. text.anchor_of(name) .. "\"><strong>" .. name .. "</strong>"
   end)))
 end

@@ -22,7 +22,7 @@ function text.filled(template, values)
 end
 
 local function written(blocks)
-  return pandoc.write(pandoc.Pandoc(blocks), "html", { html_math_method = "mathml" })
+  return pandoc.write(pandoc.Pandoc(blocks), "html", { html_math_method = "mathml", wrap_text = "wrap-none" })
 end
 
 -- <math> of TeX, of a kind of pandoc's. Words are one identifier each, and the names of functions stand as close as
@@ -34,7 +34,8 @@ local function math(tex, kind, places)
     return (letters:gsub("</mi><mi>", ""):gsub("<mi>(%a+)</mi>", "<mi mathvariant=\"normal\">%1</mi>"))
   end)
   inside = inside:gsub("<mo>(%l%l+)</mo>", "<mo lspace=\"0em\" rspace=\"0.167em\">%1</mo>")
-  inside = inside:gsub("<mi>/</mi>", "<mo lspace=\"0em\" rspace=\"0em\">/</mo>"):gsub("<mi>Δ</mi><mi>(%a)</mi>", "<mi>Δ%1</mi>")
+  inside = inside:gsub("<mi>/</mi>", "<mo lspace=\"0em\" rspace=\"0em\">/</mo>")
+  inside = inside:gsub("<mi>Δ</mi><mi>(%a)</mi>", "<mi>Δ%1</mi>")
   inside = inside:gsub("<mi>([^<]*)</mi>", function(name)
     local address = places.symbols[name]
     return address and ("<mi><a href=\"%s\" tabindex=\"-1\">%s</a></mi>"):format(address, name)
@@ -238,6 +239,7 @@ function text.typeset(words, places)
   if words:find("%l%l%l") then return text.escaped(words) end
   for from, to in pairs(scripts) do words = words:gsub(from, to) end
   words = words:gsub("%(([^()]*)%) / %(([^()]*)%)", "\\frac{%1}{%2}"):gsub("%(([^()]*)%) / (Δt)", "\\frac{%1}{%2}")
+  words = words:gsub("−([^()=]+) / (Δt)$", "-\\frac{%1}{%2}")
   return math(words, "DisplayMath", places)
 end
 
