@@ -68,7 +68,8 @@ local player_frame = [[<section class="player" aria-label="Frames">
 <button type="button" class="next" aria-label="Next frame">▶&#xFE0E;</button>
 <input type="range" min="0" max="{last}" value="0" step="1" aria-label="Frame">
 <button type="button" class="enlarge" aria-label="Frames in full size" aria-pressed="false">1:1</button>
-<button type="button" class="full" aria-label="Full screen"><svg viewbox="0 0 16 16" aria-hidden="true"><path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4"></path></svg></button>
+<button type="button" class="full" aria-label="Full screen">
+<svg viewbox="0 0 16 16" aria-hidden="true"><path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4"></path></svg></button>
 </div>
 <div class="caption" hidden></div>
 <p class="spoken" aria-live="polite"></p>

@@ -223,7 +223,12 @@ function text.html(markdown, places)
   end
   local blocks = pandoc.read(markdown, "gfm+tex_math_dollars").blocks
   local led = pandoc.walk_block(pandoc.Div(blocks), block_filter_for(places))
-  return text.with_terms(written(pandoc.walk_block(led, inline_filter_for(places)).content), places.terms)
+  local html = written(pandoc.walk_block(led, inline_filter_for(places)).content)
+  -- No line begins with the comma behind a formula.
+  html = html:gsub("%(?<math>.-</math>[,.;:?)]*", function(formula)
+    return not formula:find("</math>$") and "<span class=\"together\">" .. formula .. "</span>" or nil
+  end)
+  return text.with_terms(html, places.terms)
 end
 
 -- HTML of a few words, without their paragraph.
