@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Set-up and build, shared by lessons/run and tests/run.
-#   bash lessons/setup.sh [clang|bench|peers|docs|book|playground|web]   installs what is missing (alone: nothing is built)
+#   bash lessons/setup.sh [clang|bench|peers|docs|pages|book|playground|web]   installs what is missing, and builds nothing
 # When sourced it only defines: cairn_set_up [the same], cairn_build PRESET TARGET..., cairn_watch.
 
 unset CDPATH
@@ -9,11 +9,13 @@ cairn_installed=no  # becomes yes when packages were installed: then CMake has t
 
 cairn_packages=(g++ make cmake ninja-build pkg-config ccache libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libstb-dev zlib1g-dev fonts-dejavu-core libosmesa6-dev libegl-dev libbox2d-dev doctest-dev
-  libtomlplusplus-dev libmd4c-dev libmd4c-html0-dev)
+  libtomlplusplus-dev)
 cairn_bench_packages=(libbenchmark-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 cairn_peer_packages=(libbenchmark-dev libchipmunk-dev libbullet-dev)
-# What tests look at beside the code: its documentation, and a device for OpenCL, which is the processor.
-cairn_docs_packages=(doxygen ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
+# What makes the pages of the lesson book.
+cairn_pages_packages=(pandoc)
+# What tests look at beside the code: its documentation, the book, and a device for OpenCL, which is the processor.
+cairn_docs_packages=(doxygen "${cairn_pages_packages[@]}" ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 cairn_clang_packages=(clang clang-tidy clang-format libclang-rt-dev)
 # A browser for the test of the lesson book. Node.js comes in packages of other makers too, npm within it.
 cairn_book_packages=(chromium)
@@ -110,6 +112,7 @@ cairn_install() {
 cairn_set_up() {
   local -a needed=("${cairn_packages[@]}")
   if [[ ${1:-} == clang ]]; then needed+=("${cairn_clang_packages[@]}"); fi
+  if [[ ${1:-} == pages || ${1:-} == book ]]; then needed+=("${cairn_pages_packages[@]}"); fi
   if [[ ${1:-} == book ]]; then needed+=("${cairn_book_packages[@]}"); fi
   if [[ ${1:-} == playground || ${1:-} == web ]]; then needed+=("${cairn_playground_packages[@]}"); fi
   if [[ ${1:-} == web ]]; then needed+=("${cairn_book_packages[@]}"); fi

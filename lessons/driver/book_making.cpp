@@ -1,16 +1,17 @@
-// Each lesson, run once for each theme.
+// Each lesson, run once for each theme; book.lua makes the pages of what they have left.
 #include "lessons/driver/book_making.hpp"
 
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "lessons/driver/coverage.hpp"
 #include "lessons/driver/exercises.hpp"
 #include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
+#include "measure/whole_file.hpp"
 
 namespace cairn::driver {
 namespace {
@@ -18,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = List<std::string>;
 
-constexpr int lesson_skipped = 77;
+/// Where `lessons/run playground` puts it.
+constexpr const char* playground_file = "out/playground/index.html";
 
 fs::path lesson_out(const Program& program, const Workshop& shop, const std::string& theme) {
   return shop.work / (program.name + "_" + theme);
@@ -30,8 +32,8 @@ ProcessResult run_in_theme(const Program& program, const Workshop& shop, const s
   command.insert(command.end(), {"--theme", theme, "--out", lesson_out(program, shop, theme).string()});
   const ProcessResult result = run_quietly(command);
   require_uninterrupted();
-  if (result.code > 1 && result.code != lesson_skipped)
-    throw LessonFailed(program.name + " failed:\n" + result.output, result.code);
+  if (result.code > 1 && result.code != skipped)
+    throw ProgramFailed(program.name + " failed:\n" + result.output, result.code);
   return result;
 }
 
@@ -52,70 +54,111 @@ std::string console_text(const std::string& output, const fs::path& pictures) {
 }
 
 nlohmann::json read_json(const fs::path& file) {
-  return nlohmann::json::parse(text_of(file), nullptr, false);
+  std::ifstream stream(file);
+  return nlohmann::json::parse(stream, nullptr, false);
 }
 
 /// Moves one picture into the book and returns its name there.
-std::string taken_in(const Workshop& shop, const BookLesson& lesson, const std::string& theme,
-                     const std::string& file, int number) {
+std::string taken_in(const Workshop& shop, const Program& program, const std::string& theme,
+                     const nlohmann::json& frame) {
   const std::string name =
-      fmt::format("lesson{}_{:04}_{}.png", two_digits(lesson.program.number), number, theme);
-  fs::rename(lesson_out(lesson.program, shop, theme) / file, shop.book / "frames" / name);
+      fmt::format("lesson{}_{:04}_{}.png", two_digits(program.number), frame.at("frame").get<int>(), theme);
+  const std::string file = frame.at("file");
+  fs::rename(lesson_out(program, shop, theme) / file, shop.book / "frames" / name);
   return name;
 }
 
-void take_frames(const Workshop& shop, BookLesson& lesson) {
-  const fs::path out = lesson_out(lesson.program, shop, "light");
+void take_frames(const Workshop& shop, const Program& program, nlohmann::json& lesson) {
+  const fs::path out = lesson_out(program, shop, "light");
   const auto index = read_json(out / "frames.json");
   const auto record = read_json(out / "run.json");
   if (!index.is_object() || !record.is_object()) return;  // it draws nothing here
-  lesson.frames_in_all = index.at("frames_of_the_sequence");
-  lesson.width = record.at("width");
-  lesson.height = record.at("height");
-  for (const auto& item : index.at("frames")) {
-    BookFrame frame = {.number = item.at("frame"), .state = item.at("state"), .alt = item.at("alt")};
-    const std::string file = item.at("file");
-    frame.light = taken_in(shop, lesson, "light", file, frame.number);
-    frame.dark = taken_in(shop, lesson, "dark", file, frame.number);
-    lesson.frames.push_back(frame);
+  lesson["frames_in_all"] = index.at("frames_of_the_sequence");
+  lesson["width"] = record.at("width");
+  lesson["height"] = record.at("height");
+  for (nlohmann::json frame : index.at("frames")) {
+    for (const char* theme : {"light", "dark"}) frame[theme] = taken_in(shop, program, theme, frame);
+    lesson["frames"].push_back(frame);
   }
 }
 
-BookLesson book_lesson(const Workshop& shop, const Program& program, bool& all_held) {
-  BookLesson lesson = {.program = program};
+/// By item, the first frame that shows it; 0 where the text does.
+nlohmann::json covers_of(const Program& program) {
+  nlohmann::json covers = nlohmann::json::object();
+  for (const Covered& covered : covered_by(program)) covers.emplace(covered.item, covered.frame);
+  return covers;
+}
+
+/// What book.lua has to know of a lesson beside its texts.
+nlohmann::json facts_of(const Workshop& shop, const Program& program, BookSize& size) {
   const ProcessResult result = run_in_theme(program, shop, "light");
   run_in_theme(program, shop, "dark");
-  all_held = all_held && result.code != 1;
-  lesson.console = console_text(result.output, lesson_out(program, shop, "light"));
+  size.all_held = size.all_held && result.code != 1;
+  const LessonInfo& card = program.card;
   const fs::path folder = lesson_folder(program);
-  lesson.text = text_of(folder / "README.md");
-  if (fs::exists(folder / "exercise.cpp"))
-    lesson.exercise.push_back({"exercise.cpp", text_of(folder / "exercise.cpp")});
-  lesson.teaching = text_of(folder / "teaching.md");
-  lesson.has_stage =
-      fs::exists(folder.parent_path() / "your_solver/stages" / (two_digits(program.number) + ".txt"));
-  take_frames(shop, lesson);
+  nlohmann::json lesson = {{"number", program.number},
+                           {"folder", folder.filename().string()},
+                           {"title", card.title},
+                           {"idea", card.idea},
+                           {"paper", card.paper},
+                           {"cover", card.cover},
+                           {"covers", covers_of(program)},
+                           {"console", console_text(result.output, lesson_out(program, shop, "light"))},
+                           {"frames", nlohmann::json::array()},
+                           {"has_stage", fs::exists(folder.parent_path() / "your_solver/stages" /
+                                                    (two_digits(program.number) + ".txt"))}};
+  take_frames(shop, program, lesson);
+  size.pictures += 2 * static_cast<int>(lesson["frames"].size());
   return lesson;
+}
+
+/// A table of Lua, whose strings and numbers are written as those of JSON are.
+std::string lua_of(const nlohmann::json& value) {
+  if (!value.is_structured()) return value.dump();
+  std::string items;
+  for (const auto& item : value.items()) {
+    if (value.is_object()) items += "[" + nlohmann::json(item.key()).dump() + "] = ";
+    items += lua_of(item.value()) + ",\n";
+  }
+  return "{" + items + "}";
+}
+
+nlohmann::json items_of_the_paper() {
+  nlohmann::json items = nlohmann::json::array();
+  for (const PaperItem& item : paper_items()) items.push_back({{"name", item.name}, {"what", item.what}});
+  return items;
 }
 
 }  // namespace
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-Book gathered(const Context& context, const Workshop& shop, bool& all_held) {
+BookSize make_pages(const Context& context, const Workshop& shop) {
   fs::create_directories(shop.book / "frames");
-  Book book;
-  book.has_playground = fs::exists(playground_file);
+  BookSize size;
+  nlohmann::json lessons = nlohmann::json::array();
   const List<Program> programs = built(context.programs);
   Progress progress(context.settings, "lessons", programs.size());
   for (const Program& program : programs) {
-    progress.advance(book.size());
-    book.push_back(book_lesson(shop, program, all_held));
+    progress.advance(size.lessons++);
+    lessons.push_back(facts_of(shop, program, size));
   }
-  return book;
+  const bool has_playground = fs::exists(playground_file);
+  if (has_playground) fs::copy_file(playground_file, shop.book / "playground.html");
+  fs::create_directories(shop.work);
+  const fs::path facts = shop.work / "facts.lua";
+  write_whole_file(facts, "return " + lua_of({{"lessons", lessons},
+                                              {"items", items_of_the_paper()},
+                                              {"version", CAIRN_VERSION},
+                                              {"folder", shop.book.string()},
+                                              {"lessons_folder", lessons_folder().string()},
+                                              {"has_playground", has_playground},
+                                              {"has_handouts", shop.has_handouts}}));
+  const ProcessResult made = run_quietly({"pandoc", "--from", "gfm", "--to", "plain", "--lua-filter",
+                                          (lessons_folder() / "driver/book.lua").string(), "--metadata",
+                                          "facts=" + facts.string(), "--output", "/dev/null", "/dev/null"});
+  require_uninterrupted();
+  if (made.code != 0 || !made.output.empty())
+    throw ProgramFailed("pandoc cannot make the pages:\n" + made.output, cannot_make);
+  return size;
 }
 
 }  // namespace cairn::driver

@@ -1,37 +1,34 @@
-// Runs the lessons for a book and collects what they draw and print.
+// Runs the lessons for a book, collects what they draw and print, and has pandoc make its pages.
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
-#include "lessons/driver/book.hpp"
 #include "lessons/driver/commands.hpp"
 #include "math/list.hpp"
 
 namespace cairn::driver {
-
-/// Where `lessons/run playground` puts it.
-inline constexpr const char* playground_file = "out/playground/index.html";
-
-/// The whole file; "" where there is none.
-std::string text_of(const std::filesystem::path& file);
 
 /// Where things are while the book is made.
 struct Workshop {
   std::filesystem::path book = {};  // until it is whole
   std::filesystem::path work = {};  // where the lessons leave their files
   List<std::string> flags = {};     // for every lesson
+  bool has_handouts = false;        // also a page that has all lessons, for print: handouts.html
 };
 
-/// A lesson could not be run as it was asked to.
-struct LessonFailed : std::runtime_error {
-  LessonFailed(const std::string& what, int exit_code) : std::runtime_error(what), code(exit_code) {}
-  int code;
+/// The exit code where something is missing that the pages need.
+inline constexpr int cannot_make = 3;
+
+/// How much was made.
+struct BookSize {
+  int lessons = 0;
+  int pictures = 0;
+  bool all_held = true;  // every claim of every lesson
 };
 
-/// Runs every lesson that is built. `all_held` becomes false where a claim of one does not hold.
-/// @throws LessonFailed, Interrupted
-Book gathered(const Context& context, const Workshop& shop, bool& all_held);
+/// Makes the whole book in `shop.book`, of every lesson that is built.
+/// @throws ProgramFailed where a lesson does not run as it is asked to, or pandoc; Interrupted
+BookSize make_pages(const Context& context, const Workshop& shop);
 
 }  // namespace cairn::driver

@@ -2,35 +2,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "lessons/driver/commands.hpp"
 #include "lessons/driver/process.hpp"
+#include "lessons/driver/work_folder.hpp"
 
 namespace cairn::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is gone when this is.
-struct TemporaryFolder {
-  fs::path path = {};
-
-  TemporaryFolder() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "cairn-doctor-XXXXXX").string();
-    if (!error && mkdtemp(name.data()) != nullptr) path = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path.empty()) fs::remove_all(path, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 constexpr const char* legend_text =
     R"(What the pictures mean. Colour never stands alone: shape, dash or marker says the same.
@@ -76,16 +60,20 @@ int doctor(const Context& context) {
   console.result(
       "Box2D     not built in: lessons that need it are skipped; apt-get install libbox2d-dev, build again");
 #endif
-  const TemporaryFolder folder;
-  if (programs.empty() || folder.path.empty()) {
-    console.result(programs.empty()
-                       ? "Pictures  no lesson that could draw one: bash lessons/run 1 builds the first"
-                       : "Pictures  there is no temporary folder that can be written");
+  if (programs.empty()) {
+    console.result("Pictures  no lesson that could draw one: bash lessons/run 1 builds the first");
+    return 1;
+  }
+  std::optional<WorkFolder> folder;
+  try {
+    folder.emplace(fs::temp_directory_path());
+  } catch (const std::exception&) {
+    console.result("Pictures  there is no temporary folder that can be written");
     return 1;
   }
   const ProcessResult result = run_quietly(
-      {programs.front().path.string(), "--frames", "cover", "-q", "-o", (folder.path / "out").string()});
-  const std::string backend = seen_backend(folder.path / "out");
+      {programs.front().path.string(), "--frames", "cover", "-q", "-o", (folder->path / "out").string()});
+  const std::string backend = seen_backend(folder->path / "out");
   if (backend.empty()) {
     console.result(fmt::format("Pictures  cannot be drawn (exit code {}):\n{}", result.code, result.output));
     console.result(

@@ -42,12 +42,6 @@ struct ExportError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A lesson has ended with this exit code.
-struct LessonEnded : std::runtime_error {
-  LessonEnded(const std::string& output, int exit_code) : std::runtime_error(output), code(exit_code) {}
-  int code;
-};
-
 struct Order {
   fs::path out = "out/export";
   Words themes = {"light", "dark"};
@@ -113,7 +107,7 @@ nlohmann::json draw(Order& order, const Program& program, const std::string& the
   command.insert(command.end(), {"--format", drawn, "--theme", theme, "--out", work.string()});
   const ProcessResult result = run_quietly(command);
   require_uninterrupted();
-  if (result.code > 1) throw LessonEnded(complaints_in(result.output), result.code);
+  if (result.code > 1) throw ProgramFailed(complaints_in(result.output), result.code);
   if (result.code == 1)
     order.complaints.push_back(program.name + " " + theme + ":\n" + complaints_in(result.output));
   std::ifstream stream(work / "frames.json");
@@ -180,7 +174,7 @@ int export_all(const Context& context, const Words& words) {
     for (const std::string& theme : order.themes) {
       try {
         files += export_one(order, programs[i], theme);
-      } catch (const LessonEnded& ended) {
+      } catch (const ProgramFailed& ended) {
         if (ended.code != skipped || programs.size() == 1) throw;
       }
     }
@@ -207,7 +201,7 @@ int export_pictures(const Context& context, const Words& words) {
   } catch (const ExportError& error) {
     console.warn(std::string("lessons: ") + error.what());
     return bad_usage;
-  } catch (const LessonEnded& ended) {
+  } catch (const ProgramFailed& ended) {
     console.warn(ended.what());
     return ended.code;
   } catch (const Interrupted&) {

@@ -1,4 +1,4 @@
-// Starts programs by their path, without a shell.
+// Starts programs by their path, or by a name that PATH leads to, without a shell.
 #include "lessons/driver/process.hpp"
 
 #include <sys/wait.h>
@@ -30,7 +30,7 @@ int wait_for(pid_t child) {
 
 /// In the child, where no destructor of the parent may run.
 [[noreturn]] void start(const List<char*>& arguments) {
-  execv(arguments[0], arguments.data());
+  execvp(arguments[0], arguments.data());
   _exit(127);
 }
 
@@ -76,7 +76,7 @@ int become(const List<std::string>& words) {
   List<std::string> copy = words;
   const List<char*> arguments = arguments_of(copy);
   std::fflush(nullptr);
-  execv(arguments[0], arguments.data());
+  execvp(arguments[0], arguments.data());
   std::fprintf(stderr, "lessons: cannot start %s: %s\n", words[0].c_str(), std::strerror(errno));
   return 3;
 }

@@ -1,6 +1,7 @@
 // Other programs, started.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "math/list.hpp"
@@ -12,7 +13,14 @@ struct ProcessResult {
   std::string output = {};  // stdout and stderr as they came
 };
 
-/// Runs a program to its end and keeps what it says. `words` begin with the path of the program.
+/// A program has ended in a way that nothing can be made of; `code` is the exit code that follows from it.
+struct ProgramFailed : std::runtime_error {
+  ProgramFailed(const std::string& what, int exit_code) : std::runtime_error(what), code(exit_code) {}
+  int code;
+};
+
+/// Runs a program to its end and keeps what it says. `words` begin with the path of the program or with its
+/// name.
 ProcessResult run_quietly(const List<std::string>& words);
 
 /// Runs a program that speaks for itself. Returns its exit code.

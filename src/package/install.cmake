@@ -73,7 +73,7 @@ if(TARGET lessons)
           FILES_MATCHING REGEX "/[0-9][0-9]_[a-z_]+/(README|teaching)\\.md$"
           REGEX "/[0-9][0-9]_[a-z_]+/(exercise\\.cpp|model\\.txt|covers\\.txt)$"
           REGEX "/lessons/(glossary|prerequisites)\\.md$" REGEX "/your_solver/(README\\.md|stages/[0-9]+\\.txt)$"
-          REGEX "/driver/book\\.(css|js|md)$"
+          REGEX "/driver/book(_[a-z]+)?\\.(css|html|js|lua|md)$"
           REGEX "/(sandbox|scenes|template)$" EXCLUDE)
   install(FILES src/NOTATION.md DESTINATION ${data_folder}/src COMPONENT programs)
 endif()

@@ -110,7 +110,7 @@ TEST_CASE("the installed driver makes a book, and knows what the lessons cover")
   CHECK(installed.run("lessons coverage").code == 0);
   CHECK(installed.run("lessons list").code == 0);
   const CommandResult made = installed.run("lessons book made --frames cover");
-  if (made.output.find("cannot read Markdown") != std::string::npos) return;
+  if (made.output.find("made by pandoc") != std::string::npos) return;
   INFO(made.output);
   CHECK(made.code == 0);
   const fs::path book = installed.elsewhere / "made";

@@ -72,6 +72,21 @@ TEST_CASE("a film is one file, and its text names every frame") {
         "2. " + alt_of(2) + "\n3. " + alt_of(3) + "\n4. " + alt_of(4) + "\n");
 }
 
+TEST_CASE("a film as GIF is made by the ffmpeg that PATH leads to") {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder.path() + "/programs");
+  // A stand-in that writes its arguments where it should write the film.
+  folder.write("programs/ffmpeg", "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"$last\"\n");
+  std::filesystem::permissions(folder.path() + "/programs/ffmpeg", std::filesystem::perms::owner_all);
+  const Ran ran =
+      run_program("/usr/bin/env",
+                  {"PATH=" + folder.path() + "/programs", CAIRN_BIN_DIR "/lessons", "export", "6", "--frames",
+                   "2:3", "--theme", "dark", "--format", "gif", "--out", folder.path() + "/out"});
+  CAPTURE(ran.err);
+  CHECK(ran.code == 0);
+  CHECK(folder.text("out/06_sequential_impulses_dark.gif").find("-framerate 1 -i ") != std::string::npos);
+}
+
 TEST_CASE("what cannot be exported is refused, and leaves nothing behind") {
   const ScratchFolder folder;
   const struct {

@@ -34,12 +34,18 @@ std::string readme_of(const LessonInfo& card) {
   return text.str();
 }
 
-/// In small letters, with one blank wherever there are blanks, ends of lines or nothing but markup.
-std::string evened(const std::string& text) {
+/// In small letters, with one blank wherever there are blanks, ends of lines or nothing but markup; lowered
+/// digits as TeX has them.
+std::string evened(std::string text) {
+  for (const char digit : {'1', '2', '3'}) {
+    const std::string lowered = std::string("\xE2\x82") + static_cast<char>('\x80' + (digit - '0'));
+    for (std::size_t at = 0; (at = text.find(lowered, at)) != std::string::npos;)
+      text.replace(at, 3, {'_', digit});
+  }
   std::string result = " ";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (c == '*' || c == '`' || c == '{' || c == '}') continue;
+    if (c == '*' || c == '`' || c == '{' || c == '}' || c == '$' || c == '\\') continue;
     if (std::isspace(byte) == 0) {
       result += static_cast<char>(std::tolower(byte));
     } else if (result.back() != ' ') {

@@ -32,7 +32,7 @@ bool lesson_is_running(const ScratchFolder& folder) {
 }
 
 bool makes_no_books(const Ran& ran) {
-  const bool cannot = ran.code == 3 && (ran.err.find("cannot read Markdown") != std::string::npos ||
+  const bool cannot = ran.code == 3 && (ran.err.find("made by pandoc") != std::string::npos ||
                                         ran.err.find("needs chromium") != std::string::npos);
   if (cannot) MESSAGE("left out: " << ran.err);
   return cannot;

@@ -2,7 +2,9 @@
 // meanwhile.
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <string>
 
 #include "child_lesson.hpp"
@@ -96,4 +98,28 @@ TEST_CASE("a step that takes long says every five seconds how far it has come, a
   const Ran packages = shell(watch + "{ echo 'Get:1 a'; echo b; echo 'Get:2 c'; sleep 7; } | " +
                              "cairn_watch Fetching " + log + " '^Get:' 9");
   CHECK(packages.err.rfind("Fetching: 2 of 9, ", 0) == 0);
+}
+
+TEST_CASE("a document quotes a region or a function of a source file, and none that is not there") {
+  const ScratchFolder scratch;
+  const std::string quote = "# T\n\n<!-- source: code.cpp NAME -->\n```cpp\nold\n```\nend\n";
+  const std::string command = "bash '" CAIRN_SOURCE_DIR "/lessons/documents.sh' '" + scratch.path() + "' '" +
+                              scratch.path() + "/tree' '" + scratch.path() + "/new' 2>'" + scratch.path() +
+                              "/said'";
+  for (const char* folder : {"/tree/src", "/tree/lessons"}) fs::create_directories(scratch.path() + folder);
+  scratch.write("cairn", "#!/bin/sh\n");  // documents.sh also asks it for a page of results
+  fs::permissions(scratch.path() + "/cairn", fs::perms::owner_all);
+  scratch.write("tree/README.md", "");
+  scratch.write(
+      "tree/lessons/code.cpp",
+      "int other() { return 1; }\n\nint whole(int a,\n          int b) {\n  // [part]\n  if (a < b) {\n"
+      "    return a;\n  }\n  // [/part]\n  return b;\n}\n");
+  const auto quoted = [&](const std::string& name) {
+    scratch.write("tree/lessons/text.md", std::regex_replace(quote, std::regex("NAME"), name));
+    return std::system(command.c_str()) == 0 ? scratch.text("new/lessons/text.md") : scratch.text("said");
+  };
+  CHECK(quoted("part").find("```cpp\nif (a < b) {\n  return a;\n}\n```\nend\n") != std::string::npos);
+  CHECK(quoted("whole").find("```cpp\nint whole(int a,\n          int b) {\n") != std::string::npos);
+  CHECK(quoted("whole").find("  return b;\n}\n```\nend\n") != std::string::npos);
+  CHECK(quoted("gone").find("there is no code.cpp gone") != std::string::npos);
 }

@@ -1,0 +1,178 @@
+-- The page of a lesson, and what every page of the book is put together from.
+local source = PANDOC_SCRIPT_FILE:match("^(.*/)") or ""
+local text = dofile(source .. "book_text.lua")
+local escaped, filled = text.escaped, text.filled
+local parts = { text = text }
+local book  -- what the driver has gathered, and what book.lua adds to it
+
+function parts.begin(facts) book = facts end
+
+function parts.read(file)
+  local stream = io.open(file, "rb")
+  if not stream then return nil end
+  local all = stream:read("a")
+  stream:close()
+  return all
+end
+
+function parts.of_the_lessons(file) return parts.read(book.lessons_folder .. "/" .. file) end
+
+function parts.page(page)
+  return filled(parts.read(source .. "book.html"), {
+    title = escaped(page.title), description = escaped(page.description), scripts = page.scripts or "",
+    kind = page.kind, body = page.body, version = book.version,
+  })
+end
+
+function parts.numbered(lesson) return ("%02d %s"):format(lesson.number, lesson.title) end
+
+function parts.link(lesson, words, relation)
+  local rel = relation and " rel=\"" .. relation .. "\"" or ""
+  return "<a href=\"" .. lesson.page .. "\"" .. rel .. ">" .. escaped(words or parts.numbered(lesson)) .. "</a>"
+end
+
+-- A frame in two themes.
+function parts.picture(lesson, frame)
+  return filled([[<picture><source media="screen and (prefers-color-scheme: dark)" srcset="frames/{dark}">]] ..
+    [[<img src="frames/{light}" width="{width}" height="{height}" alt="{alt}"></picture>]], {
+      dark = frame.dark, light = frame.light, width = lesson.width, height = lesson.height, alt = escaped(frame.alt),
+    })
+end
+
+-- The frame that stands for a lesson, or its first; nil where there is none.
+function parts.cover_of(lesson)
+  local number = lesson.cover < 0 and lesson.frames_in_all + 1 + lesson.cover or lesson.cover
+  for _, frame in ipairs(lesson.frames) do
+    if frame.frame == number then return frame end
+  end
+  return lesson.frames[1]
+end
+
+function parts.cover_figure(lesson)
+  local cover = parts.cover_of(lesson)
+  return cover and "<figure class=\"cover\">" .. parts.picture(lesson, cover) .. "</figure>" or ""
+end
+
+local frame_item = [[<li id="frame-{number}"><figure>{picture}
+<figcaption>
+<p><a href="#frame-{number}">Frame {number} of {all}</a>{state}</p>
+<details><summary>What it shows</summary><p>{alt}</p></details>
+</figcaption></figure></li>
+]]
+local player_frame = [[<section class="player" aria-label="Frames">
+<ol class="frames">
+{items}</ol>
+<div class="controls" hidden>
+<button type="button" class="previous" aria-label="Previous frame">◀&#xFE0E;</button>
+<button type="button" class="play">Play</button>
+<button type="button" class="next" aria-label="Next frame">▶&#xFE0E;</button>
+<input type="range" min="0" max="{last}" value="0" step="1" aria-label="Frame">
+<button type="button" class="enlarge" aria-label="Frames in full size" aria-pressed="false">1:1</button>
+<button type="button" class="full" aria-label="Full screen">
+<svg viewbox="0 0 16 16" aria-hidden="true"><path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4"></path></svg></button>
+</div>
+<div class="caption" hidden></div>
+<p class="spoken" aria-live="polite"></p>
+{note}</section>
+]]
+local others_note = [[<p class="note">{shown} of {all} frames; <code>bash lessons/run {number} --frames all</code> draws
+the others too.</p>
+]]
+
+local function player(lesson)
+  local shown, all = #lesson.frames, lesson.frames_in_all
+  if shown == 0 then return "" end
+  local items = ""
+  for _, frame in ipairs(lesson.frames) do
+    items = items .. filled(frame_item, {
+      number = frame.frame, picture = parts.picture(lesson, frame), all = all, alt = escaped(frame.alt),
+      state = frame.state ~= "" and " · " .. escaped(frame.state) or "",
+    })
+  end
+  local note = shown < all and filled(others_note, { shown = shown, all = all, number = lesson.number }) or ""
+  return filled(player_frame, { items = items, last = shown - 1, note = note })
+end
+
+local stage_note = [[<p class="note">This lesson is also a stage of <a href="your_solver.html">a solver of your own</a>:
+<code>bash lessons/run solver {number}</code></p>
+]]
+
+local function exercise(lesson)
+  local file = lesson.folder .. "/exercise.cpp"
+  local code = parts.of_the_lessons(file)
+  local figure = code and text.figure("exercise.cpp", "<code>lessons/" .. file .. "</code>", text.code(code, "cpp"))
+  return (figure or "") .. (lesson.has_stage and filled(stage_note, { number = lesson.number }) or "")
+end
+
+local function console(lesson)
+  local caption = "What <code>bash lessons/run " .. lesson.number .. "</code> prints"
+  return text.figure("output", caption, text.code(lesson.console))
+end
+
+-- Puts something behind the heading of a section or at its end, or, where there is no such section, at the end of
+-- the page under a title of its own.
+local function with_addition(html, section, title, addition, is_first)
+  if addition == "" then return html end
+  local heading = html:find("<h2 id=\"" .. text.anchor_of(section) .. "\">", 1, true)
+  if not heading then return html .. "<h2 id=\"" .. text.anchor_of(title) .. "\">" .. title .. "</h2>\n" .. addition end
+  local _, behind = html:find("</h2>", heading, true)
+  local at = is_first and behind or (html:find("<h2", behind, true) or #html + 1) - 1
+  return html:sub(1, at) .. "\n" .. addition .. html:sub(at + 1)
+end
+
+local fold_begin = [[<form class="guess" hidden>
+<label>Your guess <input name="guess" autocomplete="off"></label>
+<button>Go on</button>
+</form>
+<details class="fold"><summary>Go on to the answer</summary>
+<nav class="sections" aria-label="On this page">
+<ul>
+{links}</ul>
+</nav>
+]]
+
+-- Closes everything behind the question. What is there is listed there: headings tell, too.
+local function folded(html)
+  local asked, behind = html:match("^(.-)<!%-%- fold %-%->(.*)$")
+  if not asked then return html end
+  local links = ""
+  for anchor, title in behind:gmatch("<h2 id=\"([^\"]*)\">(.-)</h2>") do
+    links = links .. "<li><a href=\"#" .. anchor .. "\">" .. escaped(text.without_tags(title)) .. "</a></li>\n"
+  end
+  return asked .. filled(fold_begin, { links = links }) .. behind .. "</details>\n"
+end
+
+function parts.places(more)
+  local result = { files = {}, has_playground = book.has_playground }
+  for _, name in ipairs({ "pages", "symbols", "terms" }) do result[name] = book[name] end
+  for name, value in pairs(more or {}) do result[name] = value end
+  return result
+end
+
+-- The inside of a lesson's page, its answer folded.
+function parts.lesson_body(lesson)
+  local markdown = parts.of_the_lessons(lesson.folder .. "/README.md") or "# " .. parts.numbered(lesson)
+  local html = text.html(markdown, parts.places({
+    cover = parts.cover_figure(lesson), files = { ["exercise.cpp"] = "#exercise.cpp" },
+  }))
+  html = "<p class=\"kicker\">" .. escaped(lesson.paper) .. "</p>\n" ..
+    html:gsub("</h1>", function(tag) return tag .. "\n<p class=\"idea\">" .. escaped(lesson.idea) .. "</p>" end, 1)
+  html = with_addition(html, "What to look at", "The frames", player(lesson), true)
+  html = with_addition(html, "Run it", "What it prints", console(lesson))
+  html = with_addition(html, "Your turn", "The exercise", exercise(lesson))
+  return folded(html)
+end
+
+function parts.teaching_page(lesson) return ("teaching%02d.html"):format(lesson.number) end
+
+-- The lessons before and behind this one.
+function parts.turning(i)
+  local before, lesson, behind = book.lessons[i - 1], book.lessons[i], book.lessons[i + 1]
+  return "<nav class=\"turn\" aria-label=\"Lessons\">\n" ..
+    (before and parts.link(before, "← " .. parts.numbered(before), "prev") .. "\n" or "") ..
+    "<a href=\"index.html\">All lessons</a>\n" ..
+    (lesson.teaching and "<a href=\"" .. parts.teaching_page(lesson) .. "\">For teachers</a>\n" or "") ..
+    (behind and parts.link(behind, parts.numbered(behind) .. " →", "next") .. "\n" or "") .. "</nav>\n"
+end
+
+return parts
