@@ -14,9 +14,8 @@ Shard shard_of(const Words& words);
 /// What a verb with a journal says when it is stopped.
 inline const std::string journal_goes_on = "stopped; the same command goes on where it was";
 
-/// Begins a journal or takes one up, with --again without what was found before; from then on the program
-/// says so (`goes_on`) wherever it is stopped. @throws UsageError for one of another study, or of another
-/// build.
+/// Begins a journal or takes one up, with --again without what was found before. From then on the program
+/// says `goes_on` wherever it is stopped. @throws UsageError for one of another study, or of another build.
 Journal open_journal(const Words& words, const std::filesystem::path& path, const Study& study,
                      const std::string& goes_on = journal_goes_on);
 
