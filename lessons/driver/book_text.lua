@@ -22,7 +22,8 @@ function text.filled(template, values)
 end
 
 local function written(blocks)
-  return pandoc.write(pandoc.Pandoc(blocks), "html", { html_math_method = "mathml", wrap_text = "wrap-none" })
+  local options = { html_math_method = "mathml", wrap_text = "wrap-none" }
+  return (pandoc.write(pandoc.Pandoc(blocks), "html", options):gsub("&#39;", "'"))
 end
 
 -- <math> of TeX, of a kind of pandoc's. Words are one identifier each, and the names of functions stand as close as
