@@ -150,7 +150,7 @@ TEST_CASE("an exercise fails as it comes, its model passes, and every wrong answ
   int exercises = 0;
   for (const char* const lessons : {CAIRN_SOURCE_DIR "/lessons", CAIRN_MADE_FOLDER "/lessons"}) {
     for (const fs::directory_entry& folder : fs::directory_iterator(lessons)) {
-      if (!fs::exists(folder.path() / "exercise.cpp")) continue;
+      if (!fs::exists(folder.path() / "grade.cpp")) continue;
       check_exercise(folder.path());
       ++exercises;
     }
