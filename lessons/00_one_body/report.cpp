@@ -26,7 +26,7 @@ void tell_steps(Lesson& lesson, const Flight& flight) {
         fixed(flight.cairn[step].bodies[{1}].velocity.y(), 3), fixed(flight.semi_implicit[step].y(), 3),
         fixed(flight.explicit_euler[step].y(), 3), fixed(flight.exact[step].y(), 3));
     const bool shown = step <= 3 || step == steps / 2 || step == steps;
-    shown ? lesson.print(line) : lesson.detail(line);
+    lesson.print_if(shown, line);
   }
 }
 

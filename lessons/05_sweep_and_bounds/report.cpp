@@ -31,7 +31,7 @@ void print_update(Lesson& lesson, const SystemMatrices<double>& system, const Sw
   const std::string line =
       fmt::format("  sweep {} row {}: λ_{} = {}{}", update.sweep, update.row + 1, update.row + 1,
                   row_in_numbers(system, swept, k), cut ? fmt::format("  → clamped to {:g}", after) : "");
-  k < shown ? lesson.print(line) : lesson.detail(line);
+  lesson.print_if(k < shown, line);
 }
 
 double largest_gap(const PerRow<double>& a, const PerRow<double>& b) {

@@ -77,7 +77,7 @@ void tell_updates(Lesson& lesson, const StackRun& run) {
     for (int k = 1; k <= std::min(run.settings.boxes, 5); ++k) {
       line += fmt::format("{:>11.4f}", run.updates[i].velocity[{k}].y());
     }
-    i < shown&& i < 10 ? lesson.print(line) : lesson.detail(line);
+    lesson.print_if(i < shown && i < 10, line);
   }
   if (run.updates.size() > shown || shown > 10) {
     lesson.print(fmt::format("  ...  (-v shows all {} rows)", run.updates.size()));

@@ -156,7 +156,7 @@ void tell_visits(Lesson& lesson, const FeetRun& run) {
     };
     const std::string line =
         fmt::format("{:>5} {:>4} {}   {}", sum[k].sweep, foot + 1, half(naive[k]), half(sum[k]));
-    k < 6 ? lesson.print(line) : lesson.detail(line);
+    lesson.print_if(k < 6, line);
   }
   lesson.print(fmt::format("  ...  (-v shows all {} visits)", sum.size()));
   lesson.print();

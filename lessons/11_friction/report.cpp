@@ -134,7 +134,7 @@ void tell_sweeps(Lesson& lesson, const Study& study) {
                           fixed(impulse[2 * point + 1] / slope.dt, 3));
     }
     const bool shown = sweep <= 5 || sweep == 10 || sweep == slope.sweeps;
-    shown ? lesson.print(line) : lesson.detail(line);
+    lesson.print_if(shown, line);
   }
 }
 

@@ -21,7 +21,7 @@ void print_rod(Lesson& lesson, const BlocksRuns& all) {
         fmt::format("  {:>5} {:>3} {:>8.4f} {:>+15.4f} {:>8.4f} {:>9.4f}   ({:>7.4f}, {:>7.4f})",
                     update.sweep, update.row + 1, update.jv, update.corrective, update.after[0],
                     update.after[1], cleaned(update.slip.x()), cleaned(update.slip.y()));
-    i < 6 ? lesson.print(line) : lesson.detail(line);
+    lesson.print_if(i < 6, line);
   }
   lesson.print(fmt::format("  the block, sweep 1:        A⁻¹ b = {:>8.4f} {:>9.4f}   ( 0,       0     )",
                            rod.by_block[1][0], rod.by_block[1][1]));

@@ -39,6 +39,8 @@ class Lesson {
   void print(std::string_view line = {});
   /// A line that only -v shows.
   void detail(std::string_view line);
+  /// One of many: a line if it is among the first, which are always shown, else a detail.
+  void print_if(bool is_first, std::string_view line) { is_first ? print(line) : detail(line); }
   /// Asks the question of LessonInfo; waits for a guess with --predict on a terminal.
   void predict();
   /// Compares the reader's guess or --answer with what the lesson has computed, and explains.
