@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 #include "render/sequence.hpp"
 
 namespace cairn::render {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/text_layout.hpp"
 
 namespace cairn::render {

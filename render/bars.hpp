@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/page.hpp"
 
 namespace cairn::render {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/canvas.hpp"
 
 namespace cairn::render {

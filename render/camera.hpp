@@ -1,7 +1,7 @@
 // From metres, y up, to pixels, y down.
 #pragma once
 
-#include "geometry/aabb.hpp"
+#include <cairn/geometry/aabb.hpp>
 #include "render/canvas.hpp"
 
 namespace cairn::render {

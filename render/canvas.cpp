@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 #include "render/batch.hpp"
 #include "render/font.hpp"
 #include "render/markup.hpp"

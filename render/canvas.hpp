@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "math/list.hpp"
-#include "math/math.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/math.hpp>
 
 namespace cairn::render {
 

@@ -9,7 +9,7 @@
 
 #include <string_view>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/canvas.hpp"
 #include "render/context.hpp"
 

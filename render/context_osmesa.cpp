@@ -3,7 +3,7 @@
 
 #include <GL/osmesa.h>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/canvas.hpp"
 #include "render/context.hpp"
 

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/arrow.hpp"
 #include "render/camera.hpp"
 #include "render/page.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn::render {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/draw_parts.hpp"
 #include "render/rects.hpp"
 #include "render/text_layout.hpp"

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/draw_parts.hpp"
 #include "render/lint.hpp"
 #include "render/text_layout.hpp"

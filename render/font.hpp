@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::render {
 

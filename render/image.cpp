@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn::render {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "math/list.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/whole_file.hpp>
 #include "render/canvas.hpp"
 
 namespace cairn::render {

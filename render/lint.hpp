@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/page.hpp"
 
 namespace cairn::render {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/font.hpp"
 
 namespace cairn::render {

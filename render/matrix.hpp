@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/page.hpp"
 
 namespace cairn::render {

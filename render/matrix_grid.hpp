@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/matrix.hpp"
 
 namespace cairn::render {

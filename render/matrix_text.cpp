@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/lint.hpp"
 #include "render/matrix_grid.hpp"
 #include "render/text_layout.hpp"

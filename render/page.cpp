@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 #include "render/text_layout.hpp"
 
 namespace cairn::render {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/canvas.hpp"
 #include "render/theme.hpp"
 

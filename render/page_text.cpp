@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/page.hpp"
 #include "render/text_layout.hpp"
 

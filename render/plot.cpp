@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 #include "render/plot_parts.hpp"
 #include "render/text_layout.hpp"
 

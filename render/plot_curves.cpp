@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/plot_parts.hpp"
 #include "render/rects.hpp"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/lint.hpp"
 #include "render/plot_parts.hpp"
 #include "render/rects.hpp"

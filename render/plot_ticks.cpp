@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/plot_parts.hpp"
 
 namespace cairn::render {

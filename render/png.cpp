@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 
 namespace {

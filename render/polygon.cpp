@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/shapes.hpp"
 
 namespace cairn::render {

@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn::render {
 namespace {

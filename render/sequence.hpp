@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 
 namespace cairn::render {

@@ -1,7 +1,7 @@
 // Turns shapes into hulls and measures for a batch. Whatever is not usable() is left out.
 #pragma once
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/batch.hpp"
 
 namespace cairn::render {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/shapes.hpp"
 
 namespace cairn::render {

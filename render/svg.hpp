@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/canvas.hpp"
 #include "render/markup.hpp"
 

@@ -1,7 +1,7 @@
 // Colours, sizes and line styles: one look for every picture.
 #pragma once
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/canvas.hpp"
 
 namespace cairn::render {

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace {
 
@@ -200,8 +200,8 @@ TEST_CASE("an include that breaks the floors is found, with its file and line") 
       objections_to("src/constraints/made_up.hpp", {{.number = 1, .text = "#pragma once"},
                                                     {.number = 2, .text = "#include <vector>"},
                                                     {.number = 3, .text = "#include <fmt/format.h>"},
-                                                    {.number = 4, .text = "#include \"math/math.hpp\""},
-                                                    {.number = 7, .text = "#include \"world/plan.hpp\""}});
+                                                    {.number = 4, .text = "#include <cairn/math/math.hpp>"},
+                                                    {.number = 7, .text = "#include <cairn/world/plan.hpp>"}});
   REQUIRE(found.size() == 1);
   CHECK(found[0] ==
         "src/constraints/made_up.hpp:7 includes world/plan.hpp: constraints must not look up or sideways at "

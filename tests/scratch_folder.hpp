@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::testing {
 

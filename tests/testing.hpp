@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "cairn.hpp"
+#include <cairn/cairn.hpp>
 
 namespace cairn::testing {
 

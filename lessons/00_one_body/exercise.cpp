@@ -1,6 +1,6 @@
 // Exercise 00. Write one step of semi-implicit Euler. Then: bash lessons/run check 0
 #include "lessons/kit/exercise.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::exercise00 {
 

@@ -1,7 +1,7 @@
 // The derivative of every kind of constraint, compared with differences of its error.
 #include "lesson.hpp"
 
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "lessons/kit/random.hpp"
 
 namespace cairn::one_row {

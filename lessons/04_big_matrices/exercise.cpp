@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lessons/kit/exercise.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::exercise04 {
 

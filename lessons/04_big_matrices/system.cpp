@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "validation/column.hpp"
+#include <cairn/validation/column.hpp>
 
 namespace cairn::big {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "lessons/kit/random.hpp"
-#include "validation/column.hpp"
+#include <cairn/validation/column.hpp>
 
 namespace cairn::stack {
 

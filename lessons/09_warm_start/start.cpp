@@ -1,7 +1,7 @@
 // The towers in a world, and the step whose rows come in another order.
 #include "lesson.hpp"
 
-#include "validation/column.hpp"
+#include <cairn/validation/column.hpp>
 
 namespace cairn::warm {
 

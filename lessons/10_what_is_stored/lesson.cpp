@@ -5,7 +5,7 @@
 // themselves what they keep, and three pairs of rows show where (30) goes wrong.
 #include "lesson.hpp"
 
-#include "solvers/body_rows.hpp"
+#include <cairn/solvers/body_rows.hpp>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Prints the counts, what solvers keep and the three pairs, and checks them by formulas.
 #include "lesson.hpp"
 
-#include "solvers/body_rows.hpp"
+#include <cairn/solvers/body_rows.hpp>
 
 namespace cairn::stored {
 

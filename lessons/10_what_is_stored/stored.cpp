@@ -1,7 +1,7 @@
 // The scenes, the three pairs, and counts by formula.
 #include "lesson.hpp"
 
-#include "solvers/body_rows.hpp"
+#include <cairn/solvers/body_rows.hpp>
 
 namespace cairn::stored {
 

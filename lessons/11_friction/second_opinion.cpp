@@ -2,7 +2,7 @@
 #include "lesson.hpp"
 
 #ifdef CAIRN_HAVE_BOX2D
-#include "reference/box2d_world.hpp"
+#include <cairn/reference/box2d_world.hpp>
 #endif
 
 namespace cairn::friction {

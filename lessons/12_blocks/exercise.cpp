@@ -1,6 +1,6 @@
 // Exercise 12. Solve both rows of a pin at once. Then: bash lessons/run check 12
 #include "lessons/kit/exercise.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::exercise12 {
 

@@ -1,6 +1,6 @@
 // Exercise 13. Visit a soft row: a spring between two bodies. Then: bash lessons/run check 13
 #include "lessons/kit/exercise.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::exercise13 {
 

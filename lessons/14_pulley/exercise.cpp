@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "lessons/kit/exercise.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::exercise14 {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "cairn.hpp"
-#include "math/list.hpp"
+#include <cairn/cairn.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::pulley {
 

@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <chrono>
 
-#include "constraints/converted.hpp"
-#include "validation/column.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/validation/column.hpp>
 
 namespace cairn::cost {
 

@@ -1,7 +1,7 @@
 // The two boxes as rows and as a scene, and what theory says of them.
 #include "lesson.hpp"
 
-#include "validation/column.hpp"
+#include <cairn/validation/column.hpp>
 
 namespace cairn::edges {
 

@@ -11,7 +11,7 @@
 #include "lessons/driver/exercises.hpp"
 #include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 
 namespace cairn::driver {
 namespace {

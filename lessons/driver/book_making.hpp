@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lessons/driver/commands.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::driver {
 

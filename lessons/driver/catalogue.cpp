@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 
 namespace cairn::driver {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "lessons/kit/card.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::driver {
 

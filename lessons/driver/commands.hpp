@@ -6,7 +6,7 @@
 
 #include "lessons/driver/catalogue.hpp"
 #include "lessons/kit/console.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::driver {
 

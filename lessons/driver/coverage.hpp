@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lessons/driver/catalogue.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::driver {
 

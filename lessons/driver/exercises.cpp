@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "lessons/reader_code/run.hpp"
-#include "scenes/data_folder.hpp"
+#include <cairn/scenes/data_folder.hpp>
 
 namespace cairn::driver {
 namespace {

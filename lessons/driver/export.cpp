@@ -13,7 +13,7 @@
 #include "lessons/driver/process.hpp"
 #include "lessons/driver/work_folder.hpp"
 #include "lessons/kit/words.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 
 namespace cairn::driver {
 namespace {

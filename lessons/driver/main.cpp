@@ -11,8 +11,8 @@
 #include "lessons/driver/process.hpp"
 #include "lessons/kit/output.hpp"
 #include "lessons/kit/words.hpp"
-#include "math/list.hpp"
-#include "math/printable.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/printable.hpp>
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::driver {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 
 namespace cairn::driver {
 namespace {

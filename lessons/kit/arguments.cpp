@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lessons/kit/words.hpp"
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 namespace {

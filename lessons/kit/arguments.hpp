@@ -11,7 +11,7 @@
 #include "lessons/kit/console.hpp"
 #include "lessons/kit/frames.hpp"
 #include "lessons/kit/lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

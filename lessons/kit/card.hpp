@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "lessons/kit/words.hpp"
-#include "math/printable.hpp"
+#include <cairn/math/printable.hpp>
 
 namespace cairn {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "lessons/kit/grading.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -16,7 +16,7 @@
 #include "lessons/kit/frames.hpp"
 #include "lessons/kit/picture.hpp"
 #include "lessons/kit/words.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 #include "render/lint.hpp"
 #include "render/sequence.hpp"
 

@@ -7,7 +7,7 @@
 #include "lessons/kit/arguments.hpp"
 #include "lessons/kit/console.hpp"
 #include "lessons/kit/lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

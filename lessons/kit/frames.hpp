@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

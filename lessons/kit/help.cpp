@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "lessons/kit/words.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 namespace {

@@ -14,14 +14,14 @@
 #include <type_traits>
 #include <utility>
 
-#include "cairn.hpp"
+#include <cairn/cairn.hpp>
 #include "lessons/kit/layout.hpp"
 #include "lessons/kit/lesson.hpp"
 #include "lessons/kit/numbers.hpp"
 #include "lessons/kit/question.hpp"
 #include "lessons/kit/stack_panel.hpp"
 #include "lessons/kit/tower_panel.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"

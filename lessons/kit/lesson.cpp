@@ -18,10 +18,10 @@
 #include "lessons/kit/output.hpp"
 #include "lessons/kit/records.hpp"
 #include "lessons/kit/words.hpp"
-#include "math/check.hpp"
-#include "math/printable.hpp"
-#include "measure/fingerprint.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/printable.hpp>
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/measure/whole_file.hpp>
 
 namespace cairn {
 

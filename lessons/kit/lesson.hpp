@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "lessons/kit/card.hpp"
-#include "math/list.hpp"
-#include "measure/csv.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
 #include "render/page.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

@@ -1,6 +1,6 @@
 // What a lesson is called, and the flags that all lessons have.
 #include "lessons/kit/arguments.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lessons/kit/arguments.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 #include "render/page.hpp"
 #include "render/svg.hpp"

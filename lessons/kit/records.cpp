@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "lessons/kit/words.hpp"
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 namespace {

@@ -6,8 +6,8 @@
 #include "lessons/kit/arguments.hpp"
 #include "lessons/kit/claims.hpp"
 #include "lessons/kit/film.hpp"
-#include "math/list.hpp"
-#include "measure/csv.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
 
 namespace cairn {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/draw.hpp"
-#include "world/world.hpp"
+#include <cairn/world/world.hpp>
 
 namespace cairn {
 

@@ -2,10 +2,10 @@
 // move.
 #pragma once
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/camera.hpp"
 #include "render/page.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

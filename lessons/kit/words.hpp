@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "math/list.hpp"
-#include "math/nearest.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/nearest.hpp>
 
 namespace cairn {
 

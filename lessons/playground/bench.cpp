@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "constraints/converted.hpp"
-#include "scenes/solver_list.hpp"
-#include "solvers/residual.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/solvers/residual.hpp>
 
 namespace cairn::playground {
 

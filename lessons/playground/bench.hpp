@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
-#include "math/list.hpp"
-#include "scenes/setting.hpp"
-#include "world/world.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/setting.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn::playground {
 

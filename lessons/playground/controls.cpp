@@ -12,10 +12,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
-#include "math/nearest.hpp"
-#include "scenes/solver_list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/math/nearest.hpp>
+#include <cairn/scenes/solver_list.hpp>
 
 namespace cairn::playground {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "scenes/setting.hpp"
+#include <cairn/scenes/setting.hpp>
 
 namespace cairn::playground {
 

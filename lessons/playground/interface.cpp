@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "measure/fingerprint.hpp"
+#include <cairn/measure/fingerprint.hpp>
 #include "lessons/playground/picture.hpp"
 #include "lessons/playground/playground.hpp"
 #include "lessons/playground/session.hpp"
-#include "scenes/scene_file.hpp"
+#include <cairn/scenes/scene_file.hpp>
 
 namespace {
 

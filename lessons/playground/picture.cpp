@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "math/check.hpp"
-#include "math/nearest.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/nearest.hpp>
 #include "lessons/playground/pointing.hpp"
 #include "render/arrow.hpp"
 #include "render/draw.hpp"

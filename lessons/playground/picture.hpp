@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "lessons/playground/playground.hpp"
 #include "render/bars.hpp"
 #include "render/camera.hpp"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "lessons/playground/picture.hpp"
 #include "render/plot.hpp"
-#include "solvers/residual.hpp"
+#include <cairn/solvers/residual.hpp>
 
 namespace cairn::playground {
 

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "math/check.hpp"
-#include "math/deadline.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/deadline.hpp>
 #include "render/page.hpp"
-#include "scenes/default_setting.hpp"
-#include "scenes/scene_file.hpp"
+#include <cairn/scenes/default_setting.hpp>
+#include <cairn/scenes/scene_file.hpp>
 
 namespace cairn::playground {
 

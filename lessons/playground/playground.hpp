@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "lessons/playground/bench.hpp"
 #include "lessons/playground/controls.hpp"
-#include "scenes/scene_list.hpp"
+#include <cairn/scenes/scene_list.hpp>
 
 namespace cairn::playground {
 

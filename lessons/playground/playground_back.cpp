@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "lessons/playground/playground.hpp"
-#include "scenes/scene_file.hpp"
+#include <cairn/scenes/scene_file.hpp>
 
 namespace cairn::playground {
 

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "constraints/revolute_joint.hpp"
-#include "math/check.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/math/check.hpp>
 #include "lessons/playground/playground.hpp"
 #include "lessons/playground/pointing.hpp"
-#include "scenes/scene_file.hpp"
+#include <cairn/scenes/scene_file.hpp>
 
 namespace cairn::playground {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::playground {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "world/snapshot.hpp"
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn::playground {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <type_traits>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 #include "lessons/playground/playground.hpp"
 
 namespace cairn::playground {

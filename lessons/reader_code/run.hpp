@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::reader_code {
 

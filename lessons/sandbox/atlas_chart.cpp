@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lessons/sandbox/charts.hpp"
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 #include "render/lint.hpp"
 #include "render/text_layout.hpp"
 

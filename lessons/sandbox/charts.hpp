@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "study/extremes/atlas.hpp"
-#include "math/list.hpp"
+#include <cairn/study/extremes/atlas.hpp>
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 #include "render/page.hpp"
 #include "render/theme.hpp"
-#include "study/work_precision.hpp"
-#include "study/tuning/map_study.hpp"
+#include <cairn/study/work_precision.hpp>
+#include <cairn/study/tuning/map_study.hpp>
 
 namespace cairn::sandbox {
 

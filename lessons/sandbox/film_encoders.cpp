@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "lessons/sandbox/interrupt.hpp"
-#include "math/list.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/whole_file.hpp>
 #include "render/image.hpp"
 
 namespace cairn::sandbox {

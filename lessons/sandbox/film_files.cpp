@@ -15,7 +15,7 @@
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/film_encoders.hpp"
 #include "lessons/sandbox/progress_line.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 #include "render/sequence.hpp"
 
 namespace cairn::sandbox {

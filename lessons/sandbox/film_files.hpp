@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lessons/sandbox/scene_film.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/aabb.hpp"
+#include <cairn/geometry/aabb.hpp>
 #include "lessons/sandbox/scene_film.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 namespace {

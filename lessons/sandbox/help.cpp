@@ -5,7 +5,7 @@
 
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -10,8 +10,8 @@
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "math/list.hpp"
-#include "math/printable.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/printable.hpp>
 #include "render/context.hpp"
 #include "render/image.hpp"
 

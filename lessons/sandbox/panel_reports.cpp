@@ -9,9 +9,9 @@
 #include "lessons/kit/records.hpp"
 #include "lessons/sandbox/charts.hpp"
 #include "lessons/sandbox/study_words.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 #include "render/image.hpp"
-#include "study/trade_row.hpp"
+#include <cairn/study/trade_row.hpp>
 
 namespace cairn::sandbox {
 namespace {

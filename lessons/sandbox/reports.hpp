@@ -6,9 +6,9 @@
 #include <string>
 
 #include "lessons/sandbox/verb.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/theme.hpp"
-#include "study/journal.hpp"
+#include <cairn/study/journal.hpp>
 
 namespace cairn::sandbox {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/run_table.hpp"
-#include "study/build_info.hpp"
+#include <cairn/study/build_info.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -8,7 +8,7 @@
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "world/scene_length.hpp"
+#include <cairn/world/scene_length.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lessons/sandbox/scene_run.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 

@@ -8,7 +8,7 @@
 
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/film_text.hpp"
-#include "measure/violation.hpp"
+#include <cairn/measure/violation.hpp>
 #include "render/draw.hpp"
 #include "render/lint.hpp"
 #include "render/text_layout.hpp"

@@ -8,7 +8,7 @@
 
 #include "lessons/sandbox/scene_run.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/arrow.hpp"
 #include "render/page.hpp"
 

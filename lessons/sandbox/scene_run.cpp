@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "lessons/sandbox/progress_line.hpp"
-#include "math/check.hpp"
-#include "measure/energy.hpp"
-#include "measure/violation.hpp"
-#include "study/expectation.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/measure/energy.hpp>
+#include <cairn/measure/violation.hpp>
+#include <cairn/study/expectation.hpp>
 
 namespace cairn::sandbox {
 namespace {

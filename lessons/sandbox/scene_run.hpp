@@ -5,11 +5,11 @@
 #include <string>
 
 #include "lessons/kit/console.hpp"
-#include "math/list.hpp"
-#include "measure/csv.hpp"
-#include "measure/violation.hpp"
-#include "scenes/scene_list.hpp"
-#include "study/trial.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
+#include <cairn/measure/violation.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/study/trial.hpp>
 
 namespace cairn::sandbox {
 

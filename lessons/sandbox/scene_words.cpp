@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "lessons/kit/words.hpp"
-#include "scenes/default_setting.hpp"
-#include "scenes/solver_list.hpp"
+#include <cairn/scenes/default_setting.hpp>
+#include <cairn/scenes/solver_list.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "lessons/sandbox/verb.hpp"
-#include "math/list.hpp"
-#include "scenes/scene_list.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_list.hpp>
 
 namespace cairn::sandbox {
 

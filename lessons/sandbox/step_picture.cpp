@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "lessons/sandbox/step_view.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
-#include "solvers/system_matrix.hpp"
+#include <cairn/solvers/system_matrix.hpp>
 
 namespace cairn::sandbox {
 namespace {

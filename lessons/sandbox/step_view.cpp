@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
-#include "measure/recorder.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/recorder.hpp>
 #include "render/image.hpp"
 #include "render/theme.hpp"
-#include "scenes/scene_list.hpp"
-#include "solvers/exact/reference_solver.hpp"
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/solvers/exact/reference_solver.hpp>
 
 namespace cairn::sandbox {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "lessons/sandbox/verb.hpp"
-#include "study/journal.hpp"
+#include <cairn/study/journal.hpp>
 
 namespace cairn::sandbox {
 

@@ -9,10 +9,10 @@
 #include "lessons/kit/records.hpp"
 #include "lessons/sandbox/charts.hpp"
 #include "lessons/kit/words.hpp"
-#include "math/list.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/whole_file.hpp>
 #include "render/image.hpp"
-#include "study/trade_row.hpp"
+#include <cairn/study/trade_row.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 
-#include "study/frozen/frozen_set.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/charts.hpp"
 #include "lessons/kit/words.hpp"
-#include "scenes/scene_list.hpp"
-#include "scenes/solver_list.hpp"
-#include "study/trajectory_study.hpp"
-#include "study/work_precision.hpp"
-#include "study/tuning/map_study.hpp"
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/study/trajectory_study.hpp>
+#include <cairn/study/work_precision.hpp>
+#include <cairn/study/tuning/map_study.hpp>
 
 namespace cairn::sandbox {
 namespace {

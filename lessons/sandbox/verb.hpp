@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "lessons/kit/console.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 

@@ -7,7 +7,7 @@
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 namespace {

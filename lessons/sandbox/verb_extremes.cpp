@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <map>
 
-#include "study/extremes/extreme.hpp"
+#include <cairn/study/extremes/extreme.hpp>
 #include "lessons/kit/records.hpp"
 #include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "math/nearest.hpp"
-#include "study/trade_row.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/nearest.hpp>
+#include <cairn/study/trade_row.hpp>
 
 namespace cairn::sandbox {
 namespace {

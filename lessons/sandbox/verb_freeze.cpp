@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "study/frozen/frozen_set.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "scenes/solver_list.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/solver_list.hpp>
 
 namespace cairn::sandbox {
 namespace {

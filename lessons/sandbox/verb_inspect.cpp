@@ -10,9 +10,9 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/step_view.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "scenes/default_setting.hpp"
-#include "solvers/system_matrix.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/default_setting.hpp>
+#include <cairn/solvers/system_matrix.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -6,8 +6,8 @@
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "scenes/solver_list.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/solver_list.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "measure/whole_file.hpp"
-#include "study/tuning/recommend.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/whole_file.hpp>
+#include <cairn/study/tuning/recommend.hpp>
 
 namespace cairn::sandbox {
 namespace {

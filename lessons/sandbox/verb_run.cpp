@@ -9,8 +9,8 @@
 #include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/whole_file.hpp>
 
 namespace cairn::sandbox {
 namespace {

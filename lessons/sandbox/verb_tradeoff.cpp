@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "study/frozen/frozen_set.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
 #include "lessons/kit/records.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "study/trade_row.hpp"
-#include "study/trajectory_study.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/study/trade_row.hpp>
+#include <cairn/study/trajectory_study.hpp>
 
 namespace cairn::sandbox {
 namespace {

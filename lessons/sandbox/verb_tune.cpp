@@ -8,10 +8,10 @@
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/list.hpp"
-#include "scenes/solver_list.hpp"
-#include "study/build_info.hpp"
-#include "study/tuning/tuner.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/study/build_info.hpp>
+#include <cairn/study/tuning/tuner.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -8,12 +8,12 @@
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/verbs.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
-#include "measure/whole_file.hpp"
-#include "study/build_info.hpp"
-#include "validation/box2d_engine.hpp"
-#include "validation/case.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/measure/whole_file.hpp>
+#include <cairn/study/build_info.hpp>
+#include <cairn/validation/box2d_engine.hpp>
+#include <cairn/validation/case.hpp>
 
 namespace cairn::sandbox {
 namespace {

@@ -1,7 +1,7 @@
 // Which verbs there are.
 #include "lessons/sandbox/verbs.hpp"
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 

@@ -4,8 +4,8 @@
 
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {
 namespace {

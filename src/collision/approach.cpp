@@ -1,10 +1,10 @@
 // Floor 2. When two shapes that move come near each other.
-#include "collision/approach.hpp"
+#include <cairn/collision/approach.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "collision/hull_contact.hpp"
+#include <cairn/collision/hull_contact.hpp>
 
 namespace cairn {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "geometry/shape.hpp"
+#include <cairn/geometry/shape.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 2. Broadphase: which bounding boxes overlap.
-#include "collision/broadphase.hpp"
+#include <cairn/collision/broadphase.hpp>
 
 #include <algorithm>
 #include <bit>

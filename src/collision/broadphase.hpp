@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "geometry/aabb.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/aabb.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

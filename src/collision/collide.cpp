@@ -4,13 +4,13 @@
 // (separating axis theorem) tells how far apart they are, or how deep they overlap. When the cores are apart
 // and two corners are what is nearest, the contact is one point between these corners. Else a face touches:
 // the other hull's edge that faces it most is cut to the width of the face, and its two ends are the points.
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 
 #include <limits>
 
-#include "collision/collide_beside.hpp"
-#include "collision/hull_contact.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/collide_beside.hpp>
+#include <cairn/collision/hull_contact.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

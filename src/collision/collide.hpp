@@ -3,9 +3,9 @@
 
 #include <type_traits>
 
-#include "collision/manifold.hpp"
-#include "collision/neighbours.hpp"
-#include "geometry/shape.hpp"
+#include <cairn/collision/manifold.hpp>
+#include <cairn/collision/neighbours.hpp>
+#include <cairn/geometry/shape.hpp>
 
 namespace cairn {
 

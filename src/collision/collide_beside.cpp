@@ -6,7 +6,7 @@
 // that is about to leave one side of a valley has met the other side's plane in time. Over a ridge, or on the
 // level, the neighbour is nearer, and has the contact. So it has where the plane of its face, through a
 // ridge, is farther from what moves than every face that counts.
-#include "collision/collide_beside.hpp"
+#include <cairn/collision/collide_beside.hpp>
 
 namespace cairn::narrowphase {
 namespace {

@@ -1,8 +1,8 @@
 // Floor 2. The narrowphase where one of two hulls has neighbours.
 #pragma once
 
-#include "collision/hull_contact.hpp"
-#include "collision/neighbours.hpp"
+#include <cairn/collision/hull_contact.hpp>
+#include <cairn/collision/neighbours.hpp>
 
 namespace cairn::narrowphase {
 

@@ -1,5 +1,5 @@
 // Floor 2. The free sectors around a corner at which solids meet.
-#include "collision/corner_sectors.hpp"
+#include <cairn/collision/corner_sectors.hpp>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "collision/neighbours.hpp"
+#include <cairn/collision/neighbours.hpp>
 
 namespace cairn {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/manifold.hpp"
-#include "collision/rounded_hull.hpp"
+#include <cairn/collision/manifold.hpp>
+#include <cairn/collision/rounded_hull.hpp>
 
 namespace cairn::narrowphase {
 

@@ -1,5 +1,5 @@
 // Floor 2. A manifold that moves with its two bodies.
-#include "collision/kept_manifold.hpp"
+#include <cairn/collision/kept_manifold.hpp>
 
 #include <cmath>
 #include <limits>

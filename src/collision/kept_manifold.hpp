@@ -1,8 +1,8 @@
 // Floor 2. A manifold that moves with its two bodies, so that it need not be found anew.
 #pragma once
 
-#include "collision/manifold.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/manifold.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

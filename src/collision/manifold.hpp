@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "dynamics/body.hpp"
-#include "math/math.hpp"
-#include "math/list.hpp"
+#include <cairn/dynamics/body.hpp>
+#include <cairn/math/math.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 2. Which bounding boxes are near each other: a list that outlives the step.
-#include "collision/near_pairs.hpp"
+#include <cairn/collision/near_pairs.hpp>
 
 #include <algorithm>
 #include <cassert>

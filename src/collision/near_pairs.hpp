@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "collision/broadphase.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/broadphase.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 2. What lies beside a shape that never moves: links of chains, and shapes that touch each other.
-#include "collision/neighbours.hpp"
+#include <cairn/collision/neighbours.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision/broadphase.hpp"
-#include "collision/corner_sectors.hpp"
+#include <cairn/collision/broadphase.hpp>
+#include <cairn/collision/corner_sectors.hpp>
 
 namespace cairn {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "collision/rounded_hull.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/rounded_hull.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

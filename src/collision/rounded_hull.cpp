@@ -1,5 +1,5 @@
 // Floor 2. One form for every shape in the narrowphase: the convex hull of a few points, rounded by a radius.
-#include "collision/rounded_hull.hpp"
+#include <cairn/collision/rounded_hull.hpp>
 
 #include <algorithm>
 #include <cassert>

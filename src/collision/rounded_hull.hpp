@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <type_traits>
 
-#include "constraints/joint_traits.hpp"
-#include "constraints/row_writer.hpp"
-#include "dynamics/placements.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/joint_traits.hpp>
+#include <cairn/constraints/row_writer.hpp>
+#include <cairn/dynamics/placements.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

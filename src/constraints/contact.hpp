@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "collision/manifold.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/manifold.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

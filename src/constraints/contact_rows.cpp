@@ -1,5 +1,5 @@
 // Floor 3. From contacts to rows.
-#include "constraints/contact_rows.hpp"
+#include <cairn/constraints/contact_rows.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Floor 3. The rows of contacts: how many there are, what they are called, and what they say.
 #pragma once
 
-#include "constraints/row.hpp"
+#include <cairn/constraints/row.hpp>
 
 namespace cairn {
 

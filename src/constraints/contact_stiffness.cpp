@@ -1,5 +1,5 @@
 // Floor 3. How contacts push bodies back as these turn.
-#include "constraints/contact_stiffness.hpp"
+#include <cairn/constraints/contact_stiffness.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 3. The geometric stiffness of contacts.
 #pragma once
 
-#include "constraints/constraint.hpp"
-#include "constraints/contact.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/constraints/contact.hpp>
 
 namespace cairn {
 

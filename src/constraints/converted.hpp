@@ -1,7 +1,7 @@
 // Floor 3. Problems in other precisions.
 #pragma once
 
-#include "constraints/row.hpp"
+#include <cairn/constraints/row.hpp>
 
 namespace cairn {
 

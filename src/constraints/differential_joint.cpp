@@ -1,8 +1,8 @@
 // Floor 3. The differential joint's one row.
-#include "constraints/differential_joint.hpp"
+#include <cairn/constraints/differential_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

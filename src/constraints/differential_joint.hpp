@@ -1,8 +1,8 @@
 // Floor 3. Differential joint: the gear box between two driven wheels.
 #pragma once
 
-#include "constraints/constraint.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 3. The distance joint's one row.
-#include "constraints/distance_joint.hpp"
+#include <cairn/constraints/distance_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

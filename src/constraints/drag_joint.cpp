@@ -1,8 +1,8 @@
 // Floor 3. The drag joint's two rows.
-#include "constraints/drag_joint.hpp"
+#include <cairn/constraints/drag_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

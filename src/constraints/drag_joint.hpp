@@ -1,8 +1,8 @@
 // Floor 3. Drag joint: a soft pull on one point of a body, as of a hand or a mouse.
 #pragma once
 
-#include "constraints/joint_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/joint_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

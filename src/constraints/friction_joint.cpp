@@ -1,8 +1,8 @@
 // Floor 3. The friction joint's rows: two for sliding, one for turning.
-#include "constraints/friction_joint.hpp"
+#include <cairn/constraints/friction_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "constraints/joint_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/joint_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

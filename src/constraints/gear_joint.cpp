@@ -1,8 +1,8 @@
 // Floor 3. The gear joint's one row.
-#include "constraints/gear_joint.hpp"
+#include <cairn/constraints/gear_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 3. Gear joint: two wheels that roll on each other.
 #pragma once
 
-#include "constraints/constraint.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,10 +1,10 @@
 // Floor 3. The shared rows of joints.
-#include "constraints/joint_rows.hpp"
+#include <cairn/constraints/joint_rows.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "constraints/constraint.hpp"
+#include <cairn/constraints/constraint.hpp>
 
 namespace cairn {
 

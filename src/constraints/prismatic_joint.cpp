@@ -1,8 +1,8 @@
 // Floor 3. The prismatic joint's rows: two for the slide, and what its limits and motor need.
-#include "constraints/prismatic_joint.hpp"
+#include <cairn/constraints/prismatic_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 3. Prismatic joint: a slide along a line.
 #pragma once
 
-#include "constraints/joint_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/joint_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

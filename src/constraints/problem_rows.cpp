@@ -1,9 +1,9 @@
 // Floor 3. Bias, softness and bounds of the rows of joints: one line each.
-#include "constraints/problem_rows.hpp"
+#include <cairn/constraints/problem_rows.hpp>
 
 #include <algorithm>
 
-#include "constraints/springs.hpp"
+#include <cairn/constraints/springs.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "constraints/constraint.hpp"
-#include "constraints/stabilization.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/constraints/stabilization.hpp>
 
 namespace cairn {
 

@@ -1,11 +1,11 @@
 // Floor 3. The pulley joint's one row.
-#include "constraints/pulley_joint.hpp"
+#include <cairn/constraints/pulley_joint.hpp>
 
 #include <set>
 
-#include "constraints/joint_rows.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/joint_rows.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

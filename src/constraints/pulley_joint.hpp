@@ -1,8 +1,8 @@
 // Floor 3. Pulley joint: one rope over rollers, on up to four bodies.
 #pragma once
 
-#include "constraints/constraint.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

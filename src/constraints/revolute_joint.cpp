@@ -1,8 +1,8 @@
 // Floor 3. The revolute joint's rows: two for the pin, and what its limits and motor need.
-#include "constraints/revolute_joint.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 3. Revolute joint: a pin through two bodies.
 #pragma once
 
-#include "constraints/joint_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/joint_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

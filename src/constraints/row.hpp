@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "constraints/contact.hpp"
-#include "constraints/row_rule.hpp"
-#include "dynamics/body.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/contact.hpp>
+#include <cairn/constraints/row_rule.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "constraints/row.hpp"
-#include "constraints/softness.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/constraints/softness.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 3. From a spring to gamma and bias.
-#include "constraints/softness.hpp"
+#include <cairn/constraints/softness.hpp>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "math/math.hpp"
+#include <cairn/math/math.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 3. Rows with a spring of their own, and what it holds.
-#include "constraints/springs.hpp"
+#include <cairn/constraints/springs.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Floor 3. Rows with a spring of their own, and what it holds.
 #pragma once
 
-#include "constraints/constraint.hpp"
+#include <cairn/constraints/constraint.hpp>
 
 namespace cairn {
 

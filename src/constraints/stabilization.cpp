@@ -1,5 +1,5 @@
 // Floor 3. Stabilization policies: one line each.
-#include "constraints/stabilization.hpp"
+#include <cairn/constraints/stabilization.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
-#include "constraints/row.hpp"
-#include "constraints/row_rule.hpp"
-#include "constraints/softness.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/constraints/row_rule.hpp>
+#include <cairn/constraints/softness.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 3. The weld joint's three rows.
-#include "constraints/weld_joint.hpp"
+#include <cairn/constraints/weld_joint.hpp>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

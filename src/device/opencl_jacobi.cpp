@@ -1,5 +1,5 @@
 // Floor 7. Jacobi's method through OpenCL.
-#include "device/opencl_jacobi.hpp"
+#include <cairn/device/opencl_jacobi.hpp>
 
 #define CL_HPP_TARGET_OPENCL_VERSION 120
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "device/opencl_kernels.hpp"
+#include <cairn/device/opencl_kernels.hpp>
 
 namespace cairn {
 

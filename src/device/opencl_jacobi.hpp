@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "solvers/iterative/jacobi.hpp"
+#include <cairn/solvers/iterative/jacobi.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <compare>
 
-#include "math/list.hpp"
-#include "math/math.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/math.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "dynamics/body.hpp"
-#include "math/list.hpp"
+#include <cairn/dynamics/body.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

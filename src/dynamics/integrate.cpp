@@ -1,6 +1,6 @@
 // Floor 2. Semi-implicit Euler.
-#include "dynamics/integrate.hpp"
-#include "math/list.hpp"
+#include <cairn/dynamics/integrate.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 2. Semi-implicit Euler: velocities first, then positions with the new velocities.
 #pragma once
 
-#include "dynamics/body.hpp"
-#include "math/list.hpp"
+#include <cairn/dynamics/body.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

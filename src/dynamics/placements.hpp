@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "dynamics/body.hpp"
+#include <cairn/dynamics/body.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 1. Axis-aligned bounding boxes.
-#include "geometry/aabb.hpp"
+#include <cairn/geometry/aabb.hpp>
 
 #include <algorithm>
 #include <limits>

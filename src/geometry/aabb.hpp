@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "geometry/shape.hpp"
+#include <cairn/geometry/shape.hpp>
 
 namespace cairn {
 

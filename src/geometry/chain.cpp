@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/shape.hpp"
-#include "math/check.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 namespace {

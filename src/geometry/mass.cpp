@@ -1,6 +1,6 @@
 // Floor 1. Area, centroid and moment of inertia of shapes, exact.
-#include "geometry/mass.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/mass.hpp>
+#include <cairn/math/list.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // Floor 1. Area, centroid and moment of inertia of shapes, exact.
 #pragma once
 
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

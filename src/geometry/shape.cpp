@@ -1,5 +1,5 @@
 // Floor 1. Making shapes: validation, moving, and casting to another scalar.
-#include "geometry/shape.hpp"
+#include <cairn/geometry/shape.hpp>
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <numeric>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <variant>
 
-#include "math/math.hpp"
-#include "math/list.hpp"
+#include <cairn/math/math.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 0. The wording of refusals.
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 #include <fmt/format.h>
 

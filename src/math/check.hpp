@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "math/math.hpp"
+#include <cairn/math/math.hpp>
 
 namespace cairn {
 

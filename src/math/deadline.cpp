@@ -1,5 +1,5 @@
 // Floor 0. Giving a long computation up.
-#include "math/deadline.hpp"
+#include <cairn/math/deadline.hpp>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Floor 0. Only sums, products, quotients and square roots, which IEEE 754 rounds alike everywhere.
-#include "math/elementary.hpp"
+#include <cairn/math/elementary.hpp>
 
 #include <algorithm>
 #include <array>

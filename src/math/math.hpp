@@ -5,7 +5,7 @@
 #include <concepts>
 #include <numbers>
 
-#include "math/elementary.hpp"
+#include <cairn/math/elementary.hpp>
 
 namespace cairn {
 

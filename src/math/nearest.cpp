@@ -1,11 +1,11 @@
 // Floor 0. Edit distance (V. Levenshtein, 1966).
-#include "math/nearest.hpp"
+#include <cairn/math/nearest.hpp>
 
 #include <algorithm>
 #include <numeric>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

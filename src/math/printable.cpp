@@ -1,5 +1,5 @@
 // Floor 0. Reads UTF-8 and escapes what is not for showing.
-#include "math/printable.hpp"
+#include <cairn/math/printable.hpp>
 
 #include <fmt/format.h>
 

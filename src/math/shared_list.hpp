@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

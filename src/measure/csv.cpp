@@ -1,5 +1,5 @@
 // Floor 6. CSV.
-#include "measure/csv.hpp"
+#include <cairn/measure/csv.hpp>
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

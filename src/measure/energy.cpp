@@ -1,5 +1,5 @@
 // Floor 6. Energy and momentum.
-#include "measure/energy.hpp"
+#include <cairn/measure/energy.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 6. Energy and momentum of a snapshot.
 #pragma once
 
-#include "world/snapshot.hpp"
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

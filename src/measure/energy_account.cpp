@@ -1,12 +1,12 @@
 // Floor 6. Energies of a run, and where they may come from.
-#include "measure/energy_account.hpp"
+#include <cairn/measure/energy_account.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "geometry/aabb.hpp"
-#include "measure/energy.hpp"
+#include <cairn/geometry/aabb.hpp>
+#include <cairn/measure/energy.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 6. What the energy of a run is held against: what the scene began with, and what may drive it.
 #pragma once
 
-#include "math/list.hpp"
-#include "world/scene.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/world/scene.hpp>
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

@@ -1,12 +1,12 @@
 // Floor 6. What no scene should show, whatever else is expected of it.
-#include "measure/failure.hpp"
+#include <cairn/measure/failure.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "geometry/aabb.hpp"
+#include <cairn/geometry/aabb.hpp>
 
 namespace cairn {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "math/list.hpp"
-#include "measure/violation.hpp"
-#include "world/scene.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/violation.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

@@ -3,9 +3,9 @@
 #include <limits>
 #include <optional>
 
-#include "dynamics/connected_bodies.hpp"
-#include "geometry/aabb.hpp"
-#include "measure/failure.hpp"
+#include <cairn/dynamics/connected_bodies.hpp>
+#include <cairn/geometry/aabb.hpp>
+#include <cairn/measure/failure.hpp>
 
 namespace cairn {
 

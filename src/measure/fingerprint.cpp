@@ -1,6 +1,6 @@
 // Floor 6. What of a state is hashed, and how.
-#include "measure/fingerprint.hpp"
-#include "math/list.hpp"
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/math/list.hpp>
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "world/snapshot.hpp"
-#include "math/list.hpp"
+#include <cairn/world/snapshot.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

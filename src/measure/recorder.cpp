@@ -1,6 +1,6 @@
 // Floor 6. The recorder.
-#include "measure/recorder.hpp"
-#include "math/list.hpp"
+#include <cairn/measure/recorder.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 6. Records a solver at work, row by row and sweep by sweep.
 #pragma once
 
-#include "solvers/residual.hpp"
-#include "solvers/solver.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/residual.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,12 +1,12 @@
 // Floor 6. Measures of a run.
-#include "measure/trajectory.hpp"
+#include <cairn/measure/trajectory.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "math/check.hpp"
-#include "measure/violation.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/measure/violation.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "measure/energy.hpp"
-#include "measure/energy_account.hpp"
+#include <cairn/measure/energy.hpp>
+#include <cairn/measure/energy_account.hpp>
 
 namespace cairn {
 

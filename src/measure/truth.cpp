@@ -1,12 +1,12 @@
 // Floor 6. Errors of an answer.
-#include "measure/truth.hpp"
+#include <cairn/measure/truth.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

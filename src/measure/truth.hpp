@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "solvers/residual.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/residual.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,15 +1,15 @@
 // Floor 6. Penetration, drift, cone violation.
-#include "measure/violation.hpp"
+#include <cairn/measure/violation.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "collision/broadphase.hpp"
-#include "collision/collide.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/broadphase.hpp>
+#include <cairn/collision/collide.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

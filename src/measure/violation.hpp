@@ -1,8 +1,8 @@
 // Floor 6. How far a snapshot violates what must hold.
 #pragma once
 
-#include "math/list.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

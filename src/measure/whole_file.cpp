@@ -1,5 +1,5 @@
 // Floor 6. Writing beside, then renaming.
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 7. From Box2D's contacts to Cairn's conventions.
-#include "reference/box2d_contacts.hpp"
-#include "math/list.hpp"
-#include "reference/box2d_shapes.hpp"
+#include <cairn/reference/box2d_contacts.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/reference/box2d_shapes.hpp>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>

@@ -7,9 +7,9 @@
 #include <map>
 #include <utility>
 
-#include "world/scene.hpp"
-#include "world/snapshot.hpp"
-#include "math/list.hpp"
+#include <cairn/world/scene.hpp>
+#include <cairn/world/snapshot.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,15 +1,15 @@
 // Floor 7. From Cairn's shapes and joints to Box2D's.
-#include "reference/box2d_shapes.hpp"
+#include <cairn/reference/box2d_shapes.hpp>
 
 #include <box2d/box2d.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

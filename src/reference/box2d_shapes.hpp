@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include "constraints/constraint.hpp"
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
 
 class b2Body;
 class b2Joint;

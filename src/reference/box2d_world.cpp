@@ -1,5 +1,5 @@
 // Floor 7. Building a Box2D world from a scene, stepping it, and reading it back.
-#include "reference/box2d_world.hpp"
+#include <cairn/reference/box2d_world.hpp>
 
 #include <box2d/box2d.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "math/check.hpp"
-#include "reference/box2d_contacts.hpp"
-#include "reference/box2d_shapes.hpp"
-#include "world/scene_length.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/reference/box2d_contacts.hpp>
+#include <cairn/reference/box2d_shapes.hpp>
+#include <cairn/world/scene_length.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "world/scene.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/world/scene.hpp>
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

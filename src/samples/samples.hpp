@@ -6,11 +6,11 @@
 
 #include <optional>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
-#include "world/scene.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn::samples {
 

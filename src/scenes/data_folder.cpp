@@ -1,5 +1,5 @@
 // Floor 8. From the running program to what came with it.
-#include "scenes/data_folder.hpp"
+#include <cairn/scenes/data_folder.hpp>
 
 #include <system_error>
 

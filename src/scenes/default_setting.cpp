@@ -1,5 +1,5 @@
 // Floor 8. What is cheap, and what is not.
-#include "scenes/default_setting.hpp"
+#include <cairn/scenes/default_setting.hpp>
 
 #include <fmt/format.h>
 

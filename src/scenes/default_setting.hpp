@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scenes/setting.hpp"
+#include <cairn/scenes/setting.hpp>
 
 namespace cairn {
 

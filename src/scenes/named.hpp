@@ -4,13 +4,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/friction_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "math/list.hpp"
-#include "solvers/row_order.hpp"
-#include "world/scene.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/friction_joint.hpp>
+#include <cairn/constraints/gear_joint.hpp>
+#include <cairn/constraints/pulley_joint.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/solvers/row_order.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

@@ -1,6 +1,6 @@
 // Floor 8. Bodies and their shapes from a scene file.
-#include "scenes/scene_builder.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/scene_builder.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,13 +1,13 @@
 // Floor 8. Adding to a scene what its file says, each thing when what it needs is there.
-#include "scenes/scene_builder.hpp"
+#include <cairn/scenes/scene_builder.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "math/list.hpp"
-#include "world/scene_length.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/world/scene_length.hpp>
 
 namespace cairn {
 

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/softness.hpp"
-#include "math/list.hpp"
-#include "scenes/scene_list.hpp"
-#include "scenes/scene_names.hpp"
-#include "scenes/scene_table.hpp"
-#include "world/scene.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/softness.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/scenes/scene_names.hpp>
+#include <cairn/scenes/scene_table.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

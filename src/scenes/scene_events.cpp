@@ -3,9 +3,9 @@
 #include <limits>
 #include <map>
 
-#include "math/check.hpp"
-#include "scenes/scene_builder.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/scenes/scene_builder.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <type_traits>
 
-#include "math/check.hpp"
-#include "scenes/named.hpp"
-#include "scenes/scene_table.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/scenes/named.hpp>
+#include <cairn/scenes/scene_table.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 8. From the text of a file to a scene.
-#include "scenes/scene_file.hpp"
+#include <cairn/scenes/scene_file.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "math/check.hpp"
-#include "math/printable.hpp"
-#include "measure/fingerprint.hpp"
-#include "scenes/scene_builder.hpp"
-#include "scenes/scene_formula.hpp"
-#include "scenes/scene_settings.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/printable.hpp>
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/scenes/scene_builder.hpp>
+#include <cairn/scenes/scene_formula.hpp>
+#include <cairn/scenes/scene_settings.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "scenes/scene_list.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

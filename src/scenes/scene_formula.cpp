@@ -1,15 +1,15 @@
 // Floor 8. Reads a sum by recursive descent, and computes it on the way.
-#include "scenes/scene_formula.hpp"
+#include <cairn/scenes/scene_formula.hpp>
 
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 
-#include "math/math.hpp"
-#include "math/nearest.hpp"
-#include "math/printable.hpp"
-#include "math/list.hpp"
+#include <cairn/math/math.hpp>
+#include <cairn/math/nearest.hpp>
+#include <cairn/math/printable.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

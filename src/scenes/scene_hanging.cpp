@@ -1,11 +1,11 @@
 // Floor 8. Chains and cradles: bodies in a row, and the joints between them.
 #include <cmath>
 
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "scenes/named.hpp"
-#include "scenes/scene_builder.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/constraints/weld_joint.hpp>
+#include <cairn/scenes/named.hpp>
+#include <cairn/scenes/scene_builder.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

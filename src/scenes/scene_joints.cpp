@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <map>
 
-#include "constraints/differential_joint.hpp"
-#include "constraints/drag_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "scenes/named.hpp"
-#include "scenes/scene_builder.hpp"
+#include <cairn/constraints/differential_joint.hpp>
+#include <cairn/constraints/drag_joint.hpp>
+#include <cairn/constraints/prismatic_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/constraints/weld_joint.hpp>
+#include <cairn/scenes/named.hpp>
+#include <cairn/scenes/scene_builder.hpp>
 
 namespace cairn {
 

@@ -1,14 +1,14 @@
 // Floor 8. Finding a scene.
-#include "scenes/scene_list.hpp"
+#include <cairn/scenes/scene_list.hpp>
 
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
-#include "math/nearest.hpp"
-#include "scenes/data_folder.hpp"
-#include "scenes/scene_file.hpp"
-#include "math/list.hpp"
+#include <cairn/math/nearest.hpp>
+#include <cairn/scenes/data_folder.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

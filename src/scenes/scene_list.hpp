@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "scenes/setting.hpp"
-#include "world/scene.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/setting.hpp>
+#include <cairn/world/scene.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 8. Arches, dominoes and houses of cards: one table, many bodies.
 #include <cmath>
 
-#include "scenes/scene_builder.hpp"
+#include <cairn/scenes/scene_builder.hpp>
 
 namespace cairn {
 

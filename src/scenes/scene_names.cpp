@@ -1,10 +1,10 @@
 // Floor 8. Names that are given, taken and looked up.
-#include "scenes/scene_names.hpp"
+#include <cairn/scenes/scene_names.hpp>
 
 #include <algorithm>
 #include <cctype>
 
-#include "math/nearest.hpp"
+#include <cairn/math/nearest.hpp>
 
 namespace cairn {
 

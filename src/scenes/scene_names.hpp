@@ -6,10 +6,10 @@
 #include <string>
 #include <variant>
 
-#include "dynamics/body.hpp"
-#include "math/list.hpp"
-#include "scenes/scene_table.hpp"
-#include "world/scene_joints.hpp"
+#include <cairn/dynamics/body.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_table.hpp>
+#include <cairn/world/scene_joints.hpp>
 
 namespace cairn {
 

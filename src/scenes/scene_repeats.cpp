@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/scene_builder.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/scene_builder.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,6 +1,6 @@
 // Floor 8. Looking keys up, and what they demand.
-#include "scenes/scene_schema.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/scene_schema.hpp>
+#include <cairn/math/list.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // Floor 8. Keys of bodies and shapes, and the kinds of tables.
-#include "math/list.hpp"
-#include "scenes/scene_builder.hpp"
-#include "scenes/scene_field.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_builder.hpp>
+#include <cairn/scenes/scene_field.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 8. Keys of joints.
-#include "constraints/drag_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "math/list.hpp"
-#include "scenes/scene_field.hpp"
+#include <cairn/constraints/drag_joint.hpp>
+#include <cairn/constraints/prismatic_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_field.hpp>
 
 namespace cairn {
 

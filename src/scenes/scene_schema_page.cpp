@@ -1,8 +1,8 @@
 // Floor 8. The end of the page on scene files: every table and every key.
 #include <fmt/format.h>
 
-#include "scenes/scene_schema.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/scene_schema.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

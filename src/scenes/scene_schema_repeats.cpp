@@ -1,8 +1,8 @@
 // Floor 8. Keys of tables that stand for many bodies.
 #include <fmt/format.h>
 
-#include "math/list.hpp"
-#include "scenes/scene_field.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_field.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 8. Keys of the whole scene: how it steps, what is recommended, what is expected.
-#include "math/list.hpp"
-#include "scenes/scene_field.hpp"
-#include "scenes/scene_list.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_field.hpp>
+#include <cairn/scenes/scene_list.hpp>
 
 namespace cairn {
 

@@ -1,10 +1,10 @@
 // Floor 8. Settings from a scene file.
-#include "scenes/scene_settings.hpp"
+#include <cairn/scenes/scene_settings.hpp>
 
-#include "math/nearest.hpp"
-#include "scenes/default_setting.hpp"
-#include "scenes/solver_list.hpp"
-#include "math/list.hpp"
+#include <cairn/math/nearest.hpp>
+#include <cairn/scenes/default_setting.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 8. What a scene file says of the whole scene.
 #pragma once
 
-#include "scenes/scene_list.hpp"
-#include "scenes/scene_table.hpp"
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/scenes/scene_table.hpp>
 
 namespace cairn {
 

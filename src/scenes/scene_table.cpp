@@ -1,5 +1,5 @@
 // Floor 8. Reading the keys of a table.
-#include "scenes/scene_table.hpp"
+#include <cairn/scenes/scene_table.hpp>
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "math/nearest.hpp"
-#include "math/printable.hpp"
-#include "scenes/scene_formula.hpp"
-#include "math/list.hpp"
+#include <cairn/math/nearest.hpp>
+#include <cairn/math/printable.hpp>
+#include <cairn/scenes/scene_formula.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "math/math.hpp"
-#include "scenes/scene_schema.hpp"
-#include "scenes/scene_value.hpp"
-#include "math/list.hpp"
+#include <cairn/math/math.hpp>
+#include <cairn/scenes/scene_schema.hpp>
+#include <cairn/scenes/scene_value.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

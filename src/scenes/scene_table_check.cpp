@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/check.hpp"
-#include "math/nearest.hpp"
-#include "math/printable.hpp"
-#include "scenes/scene_table.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/nearest.hpp>
+#include <cairn/math/printable.hpp>
+#include <cairn/scenes/scene_table.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

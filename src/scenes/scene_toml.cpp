@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "math/printable.hpp"
-#include "scenes/scene_value.hpp"
+#include <cairn/math/printable.hpp>
+#include <cairn/scenes/scene_value.hpp>
 
 namespace cairn {
 

@@ -1,13 +1,13 @@
 // Floor 8. Values in words.
-#include "scenes/scene_value.hpp"
+#include <cairn/scenes/scene_value.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "math/check.hpp"
-#include "math/printable.hpp"
-#include "scenes/scene_file.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/printable.hpp>
+#include <cairn/scenes/scene_file.hpp>
 
 namespace cairn {
 

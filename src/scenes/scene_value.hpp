@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,14 +1,14 @@
 // Floor 8. Settings in words.
-#include "scenes/setting.hpp"
+#include <cairn/scenes/setting.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "math/check.hpp"
-#include "math/nearest.hpp"
-#include "scenes/solver_list.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/nearest.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "scenes/named.hpp"
-#include "solvers/solver.hpp"
-#include "world/scene.hpp"
+#include <cairn/scenes/named.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 8. A scene under its default.
-#include "scenes/simulation.hpp"
+#include <cairn/scenes/simulation.hpp>
 
-#include "scenes/solver_list.hpp"
+#include <cairn/scenes/solver_list.hpp>
 
 namespace cairn {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "scenes/default_setting.hpp"
-#include "world/world.hpp"
+#include <cairn/scenes/default_setting.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn {
 

@@ -1,23 +1,23 @@
 // Floor 8. The solvers by name.
-#include "scenes/solver_list.hpp"
+#include <cairn/scenes/solver_list.hpp>
 
 #include <concepts>
 
-#include "math/check.hpp"
-#include "math/nearest.hpp"
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
-#include "solvers/iterative/factored_projected_gauss_seidel.hpp"
-#include "solvers/iterative/jacobi.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "solvers/iterative/projected_gauss_seidel.hpp"
-#include "solvers/exact/reference_solver.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/nearest.hpp>
+#include <cairn/solvers/iterative/accelerated_projected_gauss_seidel.hpp>
+#include <cairn/solvers/iterative/block_sequential_impulse.hpp>
+#include <cairn/solvers/iterative/factored_projected_gauss_seidel.hpp>
+#include <cairn/solvers/iterative/jacobi.hpp>
+#include <cairn/solvers/exact/newton_solver.hpp>
+#include <cairn/solvers/iterative/projected_gauss_seidel.hpp>
+#include <cairn/solvers/exact/reference_solver.hpp>
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/solvers/iterative/sparse_projected_gauss_seidel.hpp>
+#include <cairn/solvers/wide/wide_sequential_impulse.hpp>
+#include <cairn/math/list.hpp>
 #ifdef CAIRN_HAVE_OPENCL
-#include "device/opencl_jacobi.hpp"
+#include <cairn/device/opencl_jacobi.hpp>
 #endif
 
 namespace cairn {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "solvers/solver.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/solver.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,6 +1,6 @@
 // Floor 4. Lists of rows by body, by counting.
-#include "solvers/body_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/body_rows.hpp>
+#include <cairn/math/list.hpp>
 
 #include <algorithm>
 #include <cstddef>

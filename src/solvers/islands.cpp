@@ -1,9 +1,9 @@
 // Floor 4. Rows that bodies connect.
-#include "solvers/islands.hpp"
+#include <cairn/solvers/islands.hpp>
 
 #include <algorithm>
 
-#include "constraints/converted.hpp"
+#include <cairn/constraints/converted.hpp>
 
 namespace cairn {
 

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include "constraints/row.hpp"
-#include "dynamics/connected_bodies.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/dynamics/connected_bodies.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 4. Counting row by row over the rows that share a body: no A is formed.
-#include "solvers/non_zeros.hpp"
+#include <cairn/solvers/non_zeros.hpp>
 
-#include "solvers/body_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/body_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

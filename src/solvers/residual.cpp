@@ -1,5 +1,5 @@
 // Floor 4. Natural residuals, weighted by energy.
-#include "solvers/residual.hpp"
+#include <cairn/solvers/residual.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Floor 4. How far an answer is from solving its problem.
 #pragma once
 
-#include "constraints/row.hpp"
+#include <cairn/constraints/row.hpp>
 
 namespace cairn {
 

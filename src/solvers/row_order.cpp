@@ -1,6 +1,6 @@
 // Floor 4. Orders of rows: as written, backwards, shuffled, or coloured.
-#include "solvers/row_order.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/row_order.hpp>
+#include <cairn/math/list.hpp>
 
 #include <algorithm>
 #include <numeric>

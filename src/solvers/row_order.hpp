@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "constraints/row.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 4. Refuses settings and problems that no solver can work with.
-#include "solvers/solver.hpp"
+#include <cairn/solvers/solver.hpp>
 
 #include <cmath>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

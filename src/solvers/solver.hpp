@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "constraints/row.hpp"
-#include "solvers/row_order.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/solvers/row_order.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

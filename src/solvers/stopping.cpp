@@ -1,11 +1,11 @@
 // Floor 4. Tolerance, standstill, cycles and plateaus.
-#include "solvers/stopping.hpp"
+#include <cairn/solvers/stopping.hpp>
 
 #include <cmath>
 #include <limits>
 
-#include "math/deadline.hpp"
-#include "solvers/residual.hpp"
+#include <cairn/math/deadline.hpp>
+#include <cairn/solvers/residual.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "solvers/solver.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/solver.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

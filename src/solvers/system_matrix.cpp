@@ -1,5 +1,5 @@
 // Floor 4. J, M^-1, A and b (paper 2.1 and 2.2).
-#include "solvers/system_matrix.hpp"
+#include <cairn/solvers/system_matrix.hpp>
 
 namespace cairn {
 

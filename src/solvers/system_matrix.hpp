@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "constraints/row.hpp"
+#include <cairn/constraints/row.hpp>
 
 namespace cairn {
 

@@ -1,13 +1,13 @@
 // Floor 9. Motions with a known end.
-#include "study/answered_scenes.hpp"
+#include <cairn/study/answered_scenes.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "constraints/friction_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "measure/energy.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/friction_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/measure/energy.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

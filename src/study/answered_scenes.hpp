@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "world/scene.hpp"
-#include "world/snapshot.hpp"
-#include "math/list.hpp"
+#include <cairn/world/scene.hpp>
+#include <cairn/world/snapshot.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

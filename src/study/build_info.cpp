@@ -1,6 +1,6 @@
 // Floor 9. Machine and compiler.
-#include "study/build_info.hpp"
-#include "math/list.hpp"
+#include <cairn/study/build_info.hpp>
+#include <cairn/math/list.hpp>
 
 #include <sched.h>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "study/trade_row.hpp"
-#include "math/list.hpp"
+#include <cairn/study/trade_row.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

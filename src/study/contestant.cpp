@@ -1,13 +1,13 @@
 // Floor 9. Stepping a scene under a setting.
-#include "study/contestant.hpp"
+#include <cairn/study/contestant.hpp>
 
-#include "measure/fingerprint.hpp"
-#include "measure/violation.hpp"
-#include "solvers/residual.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/measure/violation.hpp>
+#include <cairn/solvers/residual.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
 #ifdef CAIRN_HAVE_BOX2D
-#include "reference/box2d_world.hpp"
+#include <cairn/reference/box2d_world.hpp>
 #endif
 
 namespace cairn {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "scenes/setting.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/scenes/setting.hpp>
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

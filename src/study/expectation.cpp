@@ -1,6 +1,6 @@
 // Floor 9. Holding a run against what its scene expects.
-#include "study/expectation.hpp"
-#include "math/list.hpp"
+#include <cairn/study/expectation.hpp>
+#include <cairn/math/list.hpp>
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "scenes/scene_list.hpp"
-#include "study/trial.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/study/trial.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

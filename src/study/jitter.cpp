@@ -1,10 +1,10 @@
 // Floor 9. Jitter from a generator whose numbers the C++ standard fixes.
-#include "study/jitter.hpp"
+#include <cairn/study/jitter.hpp>
 
 #include <cmath>
 #include <random>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

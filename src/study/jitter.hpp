@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "world/scene.hpp"
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

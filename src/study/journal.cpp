@@ -1,5 +1,5 @@
 // Floor 9. Journals of studies.
-#include "study/journal.hpp"
+#include <cairn/study/journal.hpp>
 
 #include <charconv>
 #include <chrono>
@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "math/check.hpp"
-#include "measure/whole_file.hpp"
-#include "math/list.hpp"
-#include "study/build_info.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/measure/whole_file.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/build_info.hpp>
 
 namespace cairn {
 

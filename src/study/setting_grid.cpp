@@ -1,5 +1,5 @@
 // Floor 9. All combinations.
-#include "study/setting_grid.hpp"
+#include <cairn/study/setting_grid.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "math/list.hpp"
-#include "scenes/setting.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/setting.hpp>
 
 namespace cairn {
 

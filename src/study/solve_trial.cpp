@@ -1,16 +1,16 @@
 // Floor 9. Solving, judging, and solving again for the clock.
-#include "study/solve_trial.hpp"
+#include <cairn/study/solve_trial.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "constraints/converted.hpp"
-#include "measure/fingerprint.hpp"
-#include "scenes/solver_list.hpp"
-#include "study/trial.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/study/trial.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

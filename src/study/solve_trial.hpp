@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "measure/truth.hpp"
-#include "solvers/solver.hpp"
-#include "scenes/setting.hpp"
+#include <cairn/measure/truth.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/scenes/setting.hpp>
 
 namespace cairn {
 

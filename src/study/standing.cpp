@@ -1,9 +1,9 @@
 // Floor 9. Places, and ways from them.
-#include "study/standing.hpp"
+#include <cairn/study/standing.hpp>
 
 #include <algorithm>
 
-#include "geometry/aabb.hpp"
+#include <cairn/geometry/aabb.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 9. Whether the bodies of a scene keep their places once they have settled in them.
 #pragma once
 
-#include "world/snapshot.hpp"
-#include "math/list.hpp"
+#include <cairn/world/snapshot.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

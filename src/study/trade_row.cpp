@@ -1,6 +1,6 @@
 // Floor 9. Rows by the names of their columns.
-#include "study/trade_row.hpp"
-#include "math/list.hpp"
+#include <cairn/study/trade_row.hpp>
+#include <cairn/math/list.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

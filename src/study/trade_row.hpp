@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "measure/csv.hpp"
-#include "math/list.hpp"
+#include <cairn/measure/csv.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

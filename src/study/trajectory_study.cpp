@@ -1,5 +1,5 @@
 // Floor 9. Level 2 of the trade.
-#include "study/trajectory_study.hpp"
+#include <cairn/study/trajectory_study.hpp>
 
 #include <fmt/format.h>
 
@@ -9,15 +9,15 @@
 #include <limits>
 #include <utility>
 
-#include "math/nearest.hpp"
-#include "measure/fingerprint.hpp"
-#include "study/build_info.hpp"
-#include "study/jitter.hpp"
-#include "scenes/scene_list.hpp"
-#include "study/trade_row.hpp"
-#include "world/scene_length.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/math/nearest.hpp>
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/study/build_info.hpp>
+#include <cairn/study/jitter.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/study/trade_row.hpp>
+#include <cairn/world/scene_length.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

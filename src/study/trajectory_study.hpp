@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "study/answered_scenes.hpp"
-#include "study/journal.hpp"
-#include "study/setting_grid.hpp"
-#include "study/trial.hpp"
-#include "math/list.hpp"
+#include <cairn/study/answered_scenes.hpp>
+#include <cairn/study/journal.hpp>
+#include <cairn/study/setting_grid.hpp>
+#include <cairn/study/trial.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,17 +1,17 @@
 // Floor 9. Stepping, timing and measuring, in turns.
-#include "study/trial.hpp"
+#include <cairn/study/trial.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <stdexcept>
 
-#include "math/check.hpp"
-#include "measure/energy.hpp"
-#include "measure/energy_account.hpp"
-#include "measure/violation.hpp"
-#include "study/contestant.hpp"
-#include "study/standing.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/measure/energy.hpp>
+#include <cairn/measure/energy_account.hpp>
+#include <cairn/measure/violation.hpp>
+#include <cairn/study/contestant.hpp>
+#include <cairn/study/standing.hpp>
 
 namespace cairn {
 

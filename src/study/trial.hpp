@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
-#include "measure/failure.hpp"
-#include "scenes/scene_list.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/failure.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 9. Level 1 of the trade: frozen problems.
-#include "study/work_precision.hpp"
+#include <cairn/study/work_precision.hpp>
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 #include <map>
 #include <utility>
 
-#include "measure/fingerprint.hpp"
-#include "solvers/non_zeros.hpp"
-#include "solvers/exact/reference_solver.hpp"
-#include "study/build_info.hpp"
-#include "scenes/solver_list.hpp"
-#include "study/trade_row.hpp"
-#include "math/list.hpp"
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/solvers/non_zeros.hpp>
+#include <cairn/solvers/exact/reference_solver.hpp>
+#include <cairn/study/build_info.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/study/trade_row.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -4,11 +4,11 @@
 #include <map>
 #include <string>
 
-#include "measure/csv.hpp"
-#include "study/frozen/frozen_problem.hpp"
-#include "study/journal.hpp"
-#include "study/solve_trial.hpp"
-#include "math/list.hpp"
+#include <cairn/measure/csv.hpp>
+#include <cairn/study/frozen/frozen_problem.hpp>
+#include <cairn/study/journal.hpp>
+#include <cairn/study/solve_trial.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

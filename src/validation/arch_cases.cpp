@@ -4,10 +4,10 @@
 #include <limits>
 #include <string>
 
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/case_scenes.hpp"
-#include "math/list.hpp"
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/case_scenes.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

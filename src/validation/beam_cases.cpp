@@ -11,14 +11,14 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/shape.hpp"
-#include "solvers/system_matrix.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/case_scenes.hpp"
-#include "validation/worst.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/solvers/system_matrix.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/case_scenes.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 8. Box2D 2.4.1 as an engine that cases can ask.
-#include "validation/box2d_engine.hpp"
+#include <cairn/validation/box2d_engine.hpp>
 
 #ifdef CAIRN_HAVE_BOX2D
-#include "reference/box2d_world.hpp"
+#include <cairn/reference/box2d_world.hpp>
 #endif
 
 namespace cairn {

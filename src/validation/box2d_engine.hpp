@@ -1,7 +1,7 @@
 // Floor 8. Box2D 2.4.1 as an engine that cases can ask.
 #pragma once
 
-#include "validation/case.hpp"
+#include <cairn/validation/case.hpp>
 
 namespace cairn {
 

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/case_runs.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/case_runs.hpp>
 
 namespace cairn {
 

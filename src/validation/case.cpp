@@ -1,11 +1,11 @@
 // Floor 8. Orders of convergence, and Cairn as an engine.
-#include "validation/case.hpp"
+#include <cairn/validation/case.hpp>
 
 #include <algorithm>
 #include <utility>
 
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn {
 

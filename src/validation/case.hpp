@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "solvers/solver.hpp"
-#include "world/scene.hpp"
-#include "world/snapshot.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/solver.hpp>
+#include <cairn/world/scene.hpp>
+#include <cairn/world/snapshot.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "math/math.hpp"
+#include <cairn/math/math.hpp>
 
 namespace cairn::cases {
 

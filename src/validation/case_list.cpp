@@ -1,6 +1,6 @@
 // Floor 8. All closed forms, from the files that hold them.
-#include "validation/case_list.hpp"
-#include "math/list.hpp"
+#include <cairn/validation/case_list.hpp>
+#include <cairn/math/list.hpp>
 
 #include <algorithm>
 #include <cctype>

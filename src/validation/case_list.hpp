@@ -1,8 +1,8 @@
 // Floor 8. Which file holds which closed forms: a new file is one line here and one in case_list.cpp.
 #pragma once
 
-#include "validation/case.hpp"
-#include "math/list.hpp"
+#include <cairn/validation/case.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

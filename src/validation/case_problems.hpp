@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "measure/recorder.hpp"
-#include "solvers/residual.hpp"
-#include "validation/case_solvers.hpp"
-#include "validation/column.hpp"
-#include "math/list.hpp"
+#include <cairn/measure/recorder.hpp>
+#include <cairn/solvers/residual.hpp>
+#include <cairn/validation/case_solvers.hpp>
+#include <cairn/validation/column.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::cases {
 

@@ -1,6 +1,6 @@
 // Floor 8. What many cases do: running, bisecting, refining, and asking every solver.
-#include "validation/case_runs.hpp"
-#include "math/list.hpp"
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/math/list.hpp>
 
 #include <cmath>
 

@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "validation/case.hpp"
-#include "validation/case_constants.hpp"
-#include "validation/case_solvers.hpp"
-#include "math/list.hpp"
+#include <cairn/validation/case.hpp>
+#include <cairn/validation/case_constants.hpp>
+#include <cairn/validation/case_solvers.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::cases {
 

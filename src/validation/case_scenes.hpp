@@ -8,12 +8,12 @@
 #include <functional>
 #include <random>
 
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
-#include "samples/samples.hpp"
-#include "world/scene.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/constraints/weld_joint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/samples/samples.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn::cases {
 

@@ -4,16 +4,16 @@
 #include <functional>
 #include <memory>
 
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
-#include "solvers/iterative/block_sequential_impulse.hpp"
-#include "solvers/iterative/factored_projected_gauss_seidel.hpp"
-#include "solvers/iterative/jacobi.hpp"
-#include "solvers/iterative/naive_projected_gauss_seidel.hpp"
-#include "solvers/iterative/projected_gauss_seidel.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/iterative/accelerated_projected_gauss_seidel.hpp>
+#include <cairn/solvers/iterative/block_sequential_impulse.hpp>
+#include <cairn/solvers/iterative/factored_projected_gauss_seidel.hpp>
+#include <cairn/solvers/iterative/jacobi.hpp>
+#include <cairn/solvers/iterative/naive_projected_gauss_seidel.hpp>
+#include <cairn/solvers/iterative/projected_gauss_seidel.hpp>
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/solvers/iterative/sparse_projected_gauss_seidel.hpp>
+#include <cairn/solvers/wide/wide_sequential_impulse.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::cases {
 

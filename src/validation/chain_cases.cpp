@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/worst.hpp"
-#include "math/list.hpp"
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

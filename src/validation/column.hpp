@@ -1,8 +1,8 @@
 // Floor 8. Problems written by hand, and the simplest of them: boxes on each other.
 #pragma once
 
-#include "constraints/row.hpp"
-#include "validation/case_constants.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/validation/case_constants.hpp>
 
 namespace cairn::cases {
 

@@ -1,11 +1,11 @@
 // Floor 8. Free flight, and two discs that meet in it.
 #include <fmt/format.h>
 
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

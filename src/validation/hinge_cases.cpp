@@ -1,13 +1,13 @@
 // Floor 8. A blow on a hinged rod.
 #include <fmt/format.h>
 
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/worst.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,12 +1,12 @@
 // Floor 8. One step that decides everything: sliding feet, impacts, rows in a line.
 #include <algorithm>
 
-#include "geometry/shape.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/worst.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

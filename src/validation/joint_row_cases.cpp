@@ -1,16 +1,16 @@
 // Floor 8. Single rows: a rope on many bodies, wheels in mesh, a spring.
 #include <algorithm>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/worst.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/gear_joint.hpp>
+#include <cairn/constraints/pulley_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/prismatic_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
 
 namespace cairn {
 

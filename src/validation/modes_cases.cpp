@@ -3,10 +3,10 @@
 #include <limits>
 #include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

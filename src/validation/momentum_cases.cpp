@@ -4,14 +4,14 @@
 #include <random>
 #include <stdexcept>
 
-#include "geometry/shape.hpp"
-#include "measure/energy.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/measure/energy.hpp>
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
 
 namespace cairn {
 

@@ -1,10 +1,10 @@
 // Floor 8. Painleve's rod: Coulomb friction that sweeps never find, and impacts without a collision.
 #include <algorithm>
 
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
 
 namespace cairn {
 

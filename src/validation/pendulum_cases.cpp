@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
-#include "measure/energy.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/measure/energy.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <string>
 
-#include "constraints/differential_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
+#include <cairn/constraints/differential_joint.hpp>
+#include <cairn/constraints/pulley_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
 
 namespace cairn {
 

@@ -3,10 +3,10 @@
 #include <limits>
 #include <string>
 
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
 
 namespace cairn {
 

@@ -1,10 +1,10 @@
 // Floor 8. Discs that are thrown along the ground, slip, and come to roll.
 #include <fmt/format.h>
 
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
 
 namespace cairn {
 

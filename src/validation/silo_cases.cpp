@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 8. One step of a rope round a post, which is held or slips: B32b.
 #include <string>
 
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/worst.hpp"
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/worst.hpp>
 
 namespace cairn {
 

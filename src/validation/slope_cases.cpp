@@ -1,7 +1,7 @@
 // Floor 8. Blocks and wheels on a slope: sticking, sliding, rolling and tipping.
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
 
 namespace cairn {
 

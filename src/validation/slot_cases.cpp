@@ -1,9 +1,9 @@
 // Floor 8. Coulomb friction where it has two answers: a box in a tight slot.
 #include <algorithm>
 
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/worst.hpp"
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/worst.hpp>
 
 namespace cairn {
 

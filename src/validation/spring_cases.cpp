@@ -6,12 +6,12 @@
 
 #include <Eigen/LU>
 
-#include "constraints/distance_joint.hpp"
-#include "math/check.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

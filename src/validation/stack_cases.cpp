@@ -1,13 +1,13 @@
 // Floor 8. Stacks: what their contacts carry, and how fast sweeps find it out.
 #include <algorithm>
 
-#include "measure/violation.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/case_scenes.hpp"
-#include "validation/worst.hpp"
-#include "math/list.hpp"
+#include <cairn/measure/violation.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/case_scenes.hpp>
+#include <cairn/validation/worst.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

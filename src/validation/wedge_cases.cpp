@@ -1,7 +1,7 @@
 // Floor 8. A block that slides down a wedge that is free to go.
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
 
 namespace cairn {
 

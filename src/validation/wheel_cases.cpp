@@ -1,10 +1,10 @@
 // Floor 8. A wheel with corners that rolls down a slope: every corner takes its share of the speed.
 #include <fmt/format.h>
 
-#include "geometry/shape.hpp"
-#include "validation/case_list.hpp"
-#include "validation/case_runs.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/validation/case_list.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 8. Of many measurements of one thing the one that is furthest from its formula.
-#include "validation/worst.hpp"
+#include <cairn/validation/worst.hpp>
 
 #include <limits>
 #include <stdexcept>

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "math/list.hpp"
-#include "validation/case.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/validation/case.hpp>
 
 namespace cairn::cases {
 

@@ -1,5 +1,5 @@
 // Floor 5. Kinds of bodies.
-#include "world/body_kinds.hpp"
+#include <cairn/world/body_kinds.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 5. What the bodies of a world have from its scene, and what acts on them besides constraints.
 #pragma once
 
-#include "dynamics/integrate.hpp"
-#include "math/list.hpp"
+#include <cairn/dynamics/integrate.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,11 +1,11 @@
 // Floor 5. The pieces in which a scene's shapes collide.
-#include "world/collider.hpp"
+#include <cairn/world/collider.hpp>
 
 #include <map>
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/aabb.hpp"
+#include <cairn/geometry/aabb.hpp>
 
 namespace cairn {
 namespace {

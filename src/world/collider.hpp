@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "collision/neighbours.hpp"
-#include "world/scene.hpp"
+#include <cairn/collision/neighbours.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

@@ -1,11 +1,11 @@
 // Floor 5. What contacts gave, and what they begin from.
-#include "world/contact_cache.hpp"
+#include <cairn/world/contact_cache.hpp>
 
 #include <algorithm>
 
-#include "constraints/contact_rows.hpp"
-#include "constraints/contact_stiffness.hpp"
-#include "world/contact_finder.hpp"
+#include <cairn/constraints/contact_rows.hpp>
+#include <cairn/constraints/contact_stiffness.hpp>
+#include <cairn/world/contact_finder.hpp>
 
 namespace cairn {
 

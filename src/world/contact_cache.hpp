@@ -3,14 +3,14 @@
 
 #include <memory>
 
-#include "constraints/row.hpp"
-#include "math/list.hpp"
-#include "world/collider.hpp"
-#include "world/contact_graph.hpp"
-#include "world/rounds.hpp"
-#include "world/step_report.hpp"
-#include "world/substep.hpp"
-#include "world/swept_boxes.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/world/collider.hpp>
+#include <cairn/world/contact_graph.hpp>
+#include <cairn/world/rounds.hpp>
+#include <cairn/world/step_report.hpp>
+#include <cairn/world/substep.hpp>
+#include <cairn/world/swept_boxes.hpp>
 
 namespace cairn {
 

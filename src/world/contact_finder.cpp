@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/collide.hpp"
-#include "world/contact_finder.hpp"
-#include "math/deadline.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/collide.hpp>
+#include <cairn/world/contact_finder.hpp>
+#include <cairn/math/deadline.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

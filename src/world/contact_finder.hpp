@@ -1,7 +1,7 @@
 // Floor 5. One search for contacts: from poses to contacts.
 #pragma once
 
-#include "world/contact_cache.hpp"
+#include <cairn/world/contact_cache.hpp>
 
 namespace cairn {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "world/contact_finder.hpp"
+#include <cairn/world/contact_finder.hpp>
 
 namespace cairn {
 

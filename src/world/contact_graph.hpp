@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "collision/kept_manifold.hpp"
-#include "collision/near_pairs.hpp"
-#include "math/list.hpp"
-#include "world/row_impulses.hpp"
+#include <cairn/collision/kept_manifold.hpp>
+#include <cairn/collision/near_pairs.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/world/row_impulses.hpp>
 
 namespace cairn {
 

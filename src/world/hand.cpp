@@ -1,7 +1,7 @@
 // Floor 5. Holding on and letting go.
-#include "world/hand.hpp"
+#include <cairn/world/hand.hpp>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "constraints/drag_joint.hpp"
-#include "math/list.hpp"
-#include "world/scene.hpp"
+#include <cairn/constraints/drag_joint.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

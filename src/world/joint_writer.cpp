@@ -1,5 +1,5 @@
 // Floor 5. Rows of joints: written where bodies are, and given the impulses of before.
-#include "world/joint_writer.hpp"
+#include <cairn/world/joint_writer.hpp>
 
 #include <cmath>
 #include <optional>

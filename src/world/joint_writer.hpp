@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "constraints/problem_rows.hpp"
-#include "math/list.hpp"
-#include "world/row_impulses.hpp"
-#include "world/substep.hpp"
+#include <cairn/constraints/problem_rows.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/world/row_impulses.hpp>
+#include <cairn/world/substep.hpp>
 
 namespace cairn {
 

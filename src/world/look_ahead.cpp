@@ -1,5 +1,5 @@
 // Floor 5. How bodies would move within a step, against each other.
-#include "world/look_ahead.hpp"
+#include <cairn/world/look_ahead.hpp>
 
 #include <algorithm>
 #include <cmath>

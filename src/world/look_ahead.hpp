@@ -1,9 +1,9 @@
 // Floor 5. How bodies would move within a step, against each other, should nothing be in their way.
 #pragma once
 
-#include "collision/approach.hpp"
-#include "dynamics/body.hpp"
-#include "world/collider.hpp"
+#include <cairn/collision/approach.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/world/collider.hpp>
 
 namespace cairn {
 

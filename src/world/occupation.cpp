@@ -1,5 +1,5 @@
 // Floor 5. The wording of a refusal to change a world from within.
-#include "world/occupation.hpp"
+#include <cairn/world/occupation.hpp>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Floor 5. Reading a scene for what its steps need.
-#include "world/plan.hpp"
+#include <cairn/world/plan.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "world/scene_length.hpp"
+#include <cairn/world/scene_length.hpp>
 
 namespace cairn {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "collision/broadphase.hpp"
-#include "world/scene.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/broadphase.hpp>
+#include <cairn/world/scene.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 5. What a search for contacts has seen of each pair.
 #pragma once
 
-#include "math/list.hpp"
-#include "world/contact_graph.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/world/contact_graph.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "constraints/problem_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/problem_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,12 +1,12 @@
 // Floor 5. Building a scene, and refusing what cannot be simulated.
-#include "world/scene.hpp"
+#include <cairn/world/scene.hpp>
 
 #include <algorithm>
 
-#include "geometry/aabb.hpp"
-#include "geometry/mass.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/aabb.hpp>
+#include <cairn/geometry/mass.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

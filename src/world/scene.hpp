@@ -5,15 +5,15 @@
 #include <memory>
 #include <optional>
 
-#include "constraints/constraint.hpp"
-#include "constraints/contact.hpp"
-#include "constraints/stabilization.hpp"
-#include "dynamics/body.hpp"
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
-#include "math/shared_list.hpp"
-#include "world/scene_event.hpp"
-#include "world/scene_joints.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/constraints/contact.hpp>
+#include <cairn/constraints/stabilization.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/math/shared_list.hpp>
+#include <cairn/world/scene_event.hpp>
+#include <cairn/world/scene_joints.hpp>
 
 namespace cairn {
 

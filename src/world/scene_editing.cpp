@@ -1,8 +1,8 @@
 // Floor 5. Taking out of a scene, moving what is in it, and fastening joints.
 #include <algorithm>
 
-#include "math/check.hpp"
-#include "world/scene.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

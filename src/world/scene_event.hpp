@@ -4,8 +4,8 @@
 #include <optional>
 #include <variant>
 
-#include "constraints/constraint.hpp"
-#include "world/scene_joints.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/world/scene_joints.hpp>
 
 namespace cairn {
 

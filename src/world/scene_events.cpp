@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/check.hpp"
-#include "world/scene.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

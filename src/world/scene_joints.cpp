@@ -1,9 +1,9 @@
 // Floor 5. Joints come and go, and with them who is kept apart.
-#include "world/scene_joints.hpp"
+#include <cairn/world/scene_joints.hpp>
 
 #include <algorithm>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

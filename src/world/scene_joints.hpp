@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "constraints/constraint.hpp"
-#include "constraints/softness.hpp"
-#include "dynamics/body.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/constraints/softness.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,12 +1,12 @@
 // Floor 5. Lengths and speeds that follow from the bodies of a scene.
-#include "world/scene_length.hpp"
+#include <cairn/world/scene_length.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "world/scene.hpp"
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

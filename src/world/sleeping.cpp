@@ -1,12 +1,12 @@
 // Floor 5. Which islands fall asleep, and which wake.
-#include "world/sleeping.hpp"
-#include "math/list.hpp"
+#include <cairn/world/sleeping.hpp>
+#include <cairn/math/list.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "geometry/aabb.hpp"
+#include <cairn/geometry/aabb.hpp>
 
 namespace cairn {
 

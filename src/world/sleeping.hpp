@@ -3,10 +3,10 @@
 
 #include <utility>
 
-#include "constraints/row.hpp"
-#include "dynamics/connected_bodies.hpp"
-#include "world/scene.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/dynamics/connected_bodies.hpp>
+#include <cairn/world/scene.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 5. From a world to plain values.
-#include "world/snapshot.hpp"
+#include <cairn/world/snapshot.hpp>
 
-#include "constraints/springs.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/springs.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

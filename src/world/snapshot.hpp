@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "constraints/joint_traits.hpp"
-#include "dynamics/body.hpp"
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
-#include "math/shared_list.hpp"
+#include <cairn/constraints/joint_traits.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/math/shared_list.hpp>
 
 namespace cairn {
 

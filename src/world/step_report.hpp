@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "constraints/row.hpp"
-#include "math/list.hpp"
-#include "solvers/solver.hpp"
-#include "world/sleeping.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/world/sleeping.hpp>
 
 namespace cairn {
 

@@ -1,6 +1,6 @@
 // Floor 5. The rows of a step whose solver needed none.
-#include "constraints/contact_rows.hpp"
-#include "world/world.hpp"
+#include <cairn/constraints/contact_rows.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn {
 

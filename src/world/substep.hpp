@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include "constraints/drag_joint.hpp"
-#include "dynamics/body.hpp"
-#include "world/body_kinds.hpp"
-#include "world/plan.hpp"
-#include "world/sleeping.hpp"
+#include <cairn/constraints/drag_joint.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/world/body_kinds.hpp>
+#include <cairn/world/plan.hpp>
+#include <cairn/world/sleeping.hpp>
 
 namespace cairn {
 

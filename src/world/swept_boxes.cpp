@@ -1,5 +1,5 @@
 // Floor 5. The boxes around shapes, and what they sweep over within a step.
-#include "world/swept_boxes.hpp"
+#include <cairn/world/swept_boxes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Floor 5. The boxes around shapes, and what they sweep over within a step.
 #pragma once
 
-#include "geometry/aabb.hpp"
-#include "math/list.hpp"
-#include "world/look_ahead.hpp"
+#include <cairn/geometry/aabb.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/world/look_ahead.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 5. Once to go, and once to stay.
-#include "world/two_solves.hpp"
+#include <cairn/world/two_solves.hpp>
 
 #include <limits>
 
-#include "constraints/contact_rows.hpp"
+#include <cairn/constraints/contact_rows.hpp>
 
 namespace cairn {
 

@@ -1,12 +1,12 @@
 // Floor 5. The solves of a substep.
 #pragma once
 
-#include "math/list.hpp"
-#include "solvers/solver.hpp"
-#include "world/contact_cache.hpp"
-#include "world/joint_writer.hpp"
-#include "world/step_report.hpp"
-#include "world/substep.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/world/contact_cache.hpp>
+#include <cairn/world/joint_writer.hpp>
+#include <cairn/world/step_report.hpp>
+#include <cairn/world/substep.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 5. The step.
-#include "world/world.hpp"
-#include "math/deadline.hpp"
-#include "math/list.hpp"
+#include <cairn/world/world.hpp>
+#include <cairn/math/deadline.hpp>
+#include <cairn/math/list.hpp>
 
 #include <algorithm>
 #include <cmath>

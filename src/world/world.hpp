@@ -6,21 +6,21 @@
 #include <optional>
 #include <utility>
 
-#include "solvers/solver.hpp"
-#include "world/body_kinds.hpp"
-#include "world/clock.hpp"
-#include "world/contact_cache.hpp"
-#include "world/hand.hpp"
-#include "world/joint_writer.hpp"
-#include "world/occupation.hpp"
-#include "world/plan.hpp"
-#include "world/scene.hpp"
-#include "world/sleeping.hpp"
-#include "world/snapshot.hpp"
-#include "world/step_report.hpp"
-#include "world/substep.hpp"
-#include "world/two_solves.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/solver.hpp>
+#include <cairn/world/body_kinds.hpp>
+#include <cairn/world/clock.hpp>
+#include <cairn/world/contact_cache.hpp>
+#include <cairn/world/hand.hpp>
+#include <cairn/world/joint_writer.hpp>
+#include <cairn/world/occupation.hpp>
+#include <cairn/world/plan.hpp>
+#include <cairn/world/scene.hpp>
+#include <cairn/world/sleeping.hpp>
+#include <cairn/world/snapshot.hpp>
+#include <cairn/world/step_report.hpp>
+#include <cairn/world/substep.hpp>
+#include <cairn/world/two_solves.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "world/world.hpp"
+#include <cairn/world/world.hpp>
 
 namespace cairn {
 

@@ -1,10 +1,10 @@
 // Floor 5. Making a world from its scene, and changing what a user may change.
 #include <algorithm>
 
-#include "geometry/aabb.hpp"
-#include "math/check.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/aabb.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

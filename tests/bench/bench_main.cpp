@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "machine.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
 #include "tables.hpp"
 

@@ -10,10 +10,10 @@
 #include <memory>
 #include <string>
 
-#include "cairn.hpp"
-#include "math/list.hpp"
-#include "samples/samples.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/cairn.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/samples/samples.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn::bench {
 

@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "collision/collide.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/collide.hpp>
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"

@@ -6,10 +6,10 @@
 #include <functional>
 #include <string>
 
-#include "math/list.hpp"
-#include "scenes/default_setting.hpp"
-#include "scenes/scene_file.hpp"
-#include "study/trial.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/default_setting.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/study/trial.hpp>
 #include "table.hpp"
 #include "tables.hpp"
 

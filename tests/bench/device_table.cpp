@@ -6,14 +6,14 @@
 #include <functional>
 #include <memory>
 
-#include "constraints/converted.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 #ifdef CAIRN_HAVE_OPENCL
-#include "device/opencl_jacobi.hpp"
+#include <cairn/device/opencl_jacobi.hpp>
 #endif
 
 namespace cairn::bench {

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "lean_sweeps.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "scenes.hpp"
 #include "table.hpp"
 #include "tables.hpp"

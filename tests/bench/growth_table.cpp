@@ -5,8 +5,8 @@
 #include <memory>
 #include <random>
 
-#include "collision/near_pairs.hpp"
-#include "math/list.hpp"
+#include <cairn/collision/near_pairs.hpp>
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
 #include "table.hpp"
 #include "tables.hpp"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "layouts.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"

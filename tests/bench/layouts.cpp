@@ -6,7 +6,7 @@
 #include <random>
 #include <tuple>
 
-#include "solvers/row_order.hpp"
+#include <cairn/solvers/row_order.hpp>
 #include "sweep_objects.hpp"
 
 namespace cairn::bench {

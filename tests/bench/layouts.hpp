@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "constraints/row.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::bench {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "table.hpp"
 #include "tables.hpp"
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <string>
 
-#include "math/list.hpp"
-#include "solvers/solver.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/solvers/solver.hpp>
 
 namespace cairn::bench {
 

@@ -6,13 +6,13 @@
 #include <optional>
 #include <utility>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
 #include "tables.hpp"
-#include "samples/samples.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/samples/samples.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn::bench {
 

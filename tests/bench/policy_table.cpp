@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cairn.hpp"
-#include "math/list.hpp"
+#include <cairn/cairn.hpp>
+#include <cairn/math/list.hpp>
 #include "table.hpp"
 #include "tables.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "samples/samples.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/samples/samples.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn::bench {
 

@@ -1,7 +1,7 @@
 // The problems that the benchmarks solve: what a world of boxes hands to its solver.
 #pragma once
 
-#include "cairn.hpp"
+#include <cairn/cairn.hpp>
 
 namespace cairn::bench {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "math/list.hpp"
-#include "scenes/scene_list.hpp"
-#include "study/expectation.hpp"
-#include "study/trial.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/study/expectation.hpp>
+#include <cairn/study/trial.hpp>
 #include "table.hpp"
 #include "tables.hpp"
 

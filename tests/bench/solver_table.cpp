@@ -5,10 +5,10 @@
 #include <memory>
 #include <utility>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "measure.hpp"
 #include "scenes.hpp"
-#include "solvers/wide/wide_sequential_impulse.hpp"
+#include <cairn/solvers/wide/wide_sequential_impulse.hpp>
 #include "table.hpp"
 #include "tables.hpp"
 

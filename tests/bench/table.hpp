@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::bench {
 

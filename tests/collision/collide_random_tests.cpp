@@ -1,6 +1,6 @@
 // Properties that every manifold must have, over random pairs of all shapes, against brute force.
 #include "../geometry/random_shapes.hpp"
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "testing.hpp"
 
 namespace cairn {

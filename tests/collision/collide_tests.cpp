@@ -2,7 +2,7 @@
 #include <set>
 
 #include "../geometry/random_shapes.hpp"
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "testing.hpp"
 
 namespace cairn {

@@ -1,6 +1,6 @@
 // A manifold that moves with its bodies, against one that is found where they are then.
 #include "../geometry/random_shapes.hpp"
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "testing.hpp"
 
 namespace cairn {

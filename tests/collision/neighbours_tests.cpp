@@ -1,5 +1,5 @@
 // What lies beside a static shape: tiles give the contacts of the block that they make.
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "geometry/random_shapes.hpp"
 #include "testing.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/random_shapes.hpp"
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "testing.hpp"
 
 namespace cairn::testing {

@@ -1,7 +1,7 @@
 // Geometric stiffness of contacts, against the second derivatives of their gaps.
 #include "geometry/random_shapes.hpp"
-#include "collision/collide.hpp"
-#include "constraints/contact_stiffness.hpp"
+#include <cairn/collision/collide.hpp>
+#include <cairn/constraints/contact_stiffness.hpp>
 #include "testing.hpp"
 
 namespace cairn {

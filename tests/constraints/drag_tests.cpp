@@ -1,5 +1,5 @@
 // The soft pull of a hand on a body.
-#include "constraints/stabilization.hpp"
+#include <cairn/constraints/stabilization.hpp>
 #include "joint_worlds.hpp"
 
 using namespace cairn;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "testing.hpp"
-#include "validation/case_constants.hpp"
+#include <cairn/validation/case_constants.hpp>
 
 namespace cairn::testing {
 

@@ -1,6 +1,6 @@
 // Where a rope is slack, where it goes, and which ropes cannot be.
 #include "joint_worlds.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

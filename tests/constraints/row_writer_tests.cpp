@@ -1,6 +1,6 @@
 // Rows written in place: what a joint states, and the law of (7), for every kind of joint and every pass.
 #include "constraint_list.hpp"
-#include "constraints/springs.hpp"
+#include <cairn/constraints/springs.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

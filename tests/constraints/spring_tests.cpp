@@ -1,6 +1,6 @@
 // Springs and ropes: two ways to say how stiff, extremes, slack, and what is refused.
 #include "joint_worlds.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

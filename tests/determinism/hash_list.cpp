@@ -3,11 +3,11 @@
 
 #include <sstream>
 
-#include "study/frozen/frozen_set.hpp"
-#include "measure/fingerprint.hpp"
-#include "scenes/scene_list.hpp"
-#include "scenes/solver_list.hpp"
-#include "study/contestant.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/study/contestant.hpp>
 
 namespace cairn::determinism {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "study/frozen/frozen_problem.hpp"
-#include "math/list.hpp"
+#include <cairn/study/frozen/frozen_problem.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::determinism {
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "determinism/hash_list.hpp"
-#include "study/frozen/frozen_set.hpp"
-#include "math/list.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
+#include <cairn/math/list.hpp>
 
 using namespace cairn;
 

@@ -1,5 +1,5 @@
 // Jacobi on a device against Jacobi here: the same bits. Skipped, with a word, where there is no device.
-#include "device/opencl_jacobi.hpp"
+#include <cairn/device/opencl_jacobi.hpp>
 
 #include <random>
 

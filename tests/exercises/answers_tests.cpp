@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "lessons/kit/exercise.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "your_solver/run_solver.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // The stability atlas: classes, cells whose end a formula knows, and the way through the journal.
-#include "study/extremes/atlas.hpp"
+#include <cairn/study/extremes/atlas.hpp>
 
 #include <doctest/doctest.h>
 
@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/list.hpp"
-#include "math/math.hpp"
-#include "scenes/solver_list.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/math.hpp>
+#include <cairn/scenes/solver_list.hpp>
 #include "scratch_folder.hpp"
 
 using namespace cairn;

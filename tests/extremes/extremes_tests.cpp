@@ -5,12 +5,12 @@
 #include <set>
 #include <string>
 
-#include "study/extremes/extreme.hpp"
-#include "study/extremes/extreme_axes.hpp"
-#include "math/list.hpp"
+#include <cairn/study/extremes/extreme.hpp>
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/list.hpp>
 #include "scratch_folder.hpp"
-#include "study/trade_row.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/study/trade_row.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 using namespace cairn;
 

@@ -6,11 +6,11 @@
 #include <map>
 #include <sstream>
 
-#include "study/frozen/frozen_set.hpp"
-#include "math/list.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
+#include <cairn/math/list.hpp>
 #include "scratch_folder.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "solvers/residual.hpp"
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/solvers/residual.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "../geometry/random_shapes.hpp"
-#include "study/frozen/frozen_set.hpp"
-#include "math/list.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
+#include <cairn/math/list.hpp>
 #include "scratch_folder.hpp"
 
 using namespace cairn;

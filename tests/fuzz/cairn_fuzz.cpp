@@ -14,7 +14,7 @@
 #include "fuzz/mutate.hpp"
 #include "fuzz/random_world.hpp"
 #include "lessons/kit/words.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Every number of every type that a scene is made of: NaN, infinities and what is out of range are refused
 // with the name of the field and the value.
-#include "study/frozen/frozen_problem.hpp"
-#include "math/check.hpp"
-#include "scenes/solver_list.hpp"
+#include <cairn/study/frozen/frozen_problem.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/scenes/solver_list.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fuzz/fuzz_target.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::fuzz {
 

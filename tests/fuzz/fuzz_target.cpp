@@ -4,14 +4,14 @@
 #include <functional>
 #include <sstream>
 
-#include "study/frozen/frozen_problem.hpp"
+#include <cairn/study/frozen/frozen_problem.hpp>
 #include "fuzz/fuzz_words.hpp"
 #include "fuzz/random_world.hpp"
-#include "math/check.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/solver_list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn::fuzz {
 

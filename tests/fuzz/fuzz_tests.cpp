@@ -8,7 +8,7 @@
 #include "fuzz/fuzz_run.hpp"
 #include "fuzz/mutate.hpp"
 #include "fuzz/random_world.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 using namespace cairn;
 

@@ -7,7 +7,7 @@
 
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/verb.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 
 namespace cairn::fuzz {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "cairn.hpp"
+#include <cairn/cairn.hpp>
 
 namespace cairn::fuzz {
 

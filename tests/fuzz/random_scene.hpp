@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz/choices.hpp"
-#include "world/scene.hpp"
+#include <cairn/world/scene.hpp>
 
 namespace cairn::fuzz {
 

@@ -7,10 +7,10 @@
 #include "fuzz/choices.hpp"
 #include "fuzz/random_scene.hpp"
 #include "geometry/random_shapes.hpp"
-#include "math/list.hpp"
-#include "measure/fingerprint.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn::fuzz {
 

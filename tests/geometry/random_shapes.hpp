@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <random>
 
-#include "geometry/shape.hpp"
-#include "math/list.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn::test {
 

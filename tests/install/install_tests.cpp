@@ -9,7 +9,7 @@
 #include <string>
 
 #include "installed.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lessons/kit/arguments.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 using namespace cairn;
 

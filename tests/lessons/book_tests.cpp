@@ -13,7 +13,7 @@
 
 #include "child_lesson.hpp"
 #include "html.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::testing {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lessons/kit/lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "scratch_folder.hpp"
 
 namespace cairn::testing {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "child_lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::testing {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "child_lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 
 using namespace cairn;

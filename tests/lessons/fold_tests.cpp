@@ -12,7 +12,7 @@
 
 #include "child_lesson.hpp"
 #include "lessons/driver/catalogue.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::testing {
 namespace {

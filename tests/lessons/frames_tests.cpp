@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "lessons/kit/frames.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 using namespace cairn;
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::testing {
 

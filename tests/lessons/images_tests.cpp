@@ -7,7 +7,7 @@
 
 #include "../images/golden.hpp"
 #include "child_lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::testing {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "child_lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

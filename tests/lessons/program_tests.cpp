@@ -7,7 +7,7 @@
 #include <string>
 
 #include "child_lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 using namespace cairn::testing;
 using cairn::List;

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 #include "sandbox_program.hpp"
 

@@ -12,8 +12,8 @@
 #include <fstream>
 #include <thread>
 
-#include "math/list.hpp"
-#include "measure/csv.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
 #include "render/image.hpp"
 #include "sandbox_program.hpp"
 

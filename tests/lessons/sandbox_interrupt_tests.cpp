@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "sandbox_program.hpp"
 
 using namespace cairn;

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "math/list.hpp"
-#include "math/printable.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/math/printable.hpp>
 #include "sandbox_program.hpp"
 
 using namespace cairn;

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "child_lesson.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::testing {
 

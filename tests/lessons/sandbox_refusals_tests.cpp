@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "sandbox_program.hpp"
 
 using namespace cairn;

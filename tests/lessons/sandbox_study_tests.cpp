@@ -14,8 +14,8 @@
 #include <string>
 #include <thread>
 
-#include "math/list.hpp"
-#include "measure/csv.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
 #include "sandbox_program.hpp"
 
 using namespace cairn::testing;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "render/image.hpp"
 #include "sandbox_program.hpp"
 

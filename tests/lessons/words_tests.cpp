@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lessons/kit/words.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 using namespace cairn;
 

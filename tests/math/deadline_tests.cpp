@@ -1,5 +1,5 @@
 // Deadlines: what ends, when, and what is not touched.
-#include "math/deadline.hpp"
+#include <cairn/math/deadline.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Names that were nearly right.
-#include "math/nearest.hpp"
+#include <cairn/math/nearest.hpp>
 
 #include <doctest/doctest.h>
 

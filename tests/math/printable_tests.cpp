@@ -1,5 +1,5 @@
 // Text of others in messages.
-#include "math/printable.hpp"
+#include <cairn/math/printable.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // What no scene should show: seen where it happens, and nowhere else.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -1,7 +1,7 @@
 // FNV-1a against the vectors its authors publish, and what of a state it sees.
 #include <bit>
 
-#include "measure/fingerprint.hpp"
+#include <cairn/measure/fingerprint.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -1,5 +1,5 @@
 // Springs give back what they held: swings against their closed forms, and the energy that is counted.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

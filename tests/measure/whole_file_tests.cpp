@@ -1,5 +1,5 @@
 // Files that are there whole or not at all.
-#include "measure/whole_file.hpp"
+#include <cairn/measure/whole_file.hpp>
 
 #include <doctest/doctest.h>
 #include <sys/resource.h>

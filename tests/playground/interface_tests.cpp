@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace {
 

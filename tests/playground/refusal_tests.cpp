@@ -9,11 +9,11 @@
 #include <sstream>
 #include <string>
 
-#include "math/deadline.hpp"
+#include <cairn/math/deadline.hpp>
 #include "lessons/playground/interface.h"
-#include "scenes/scene_file.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "lessons/playground/interface.h"
-#include "scenes/solver_list.hpp"
+#include <cairn/scenes/solver_list.hpp>
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Two engines side by side on one scene.
 #pragma once
 
-#include "cairn.hpp"
-#include "reference/box2d_world.hpp"
+#include <cairn/cairn.hpp>
+#include <cairn/reference/box2d_world.hpp>
 
 namespace cairn::reference_tests {
 

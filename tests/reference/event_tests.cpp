@@ -1,5 +1,5 @@
 // Events of a scene in Box2D: held against Cairn, and against formulas.
-#include "reference/box2d_world.hpp"
+#include <cairn/reference/box2d_world.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "scenes/scene_file.hpp"
-#include "world/world.hpp"
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/world/world.hpp>
 
 using namespace cairn;
 

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <string>
 
-#include "scenes/scene_file.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "world/world.hpp"
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/world/world.hpp>
 
 using namespace cairn;
 

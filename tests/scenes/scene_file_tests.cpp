@@ -1,5 +1,5 @@
 // Scenes from TOML: every field arrives where it belongs.
-#include "scenes/scene_file.hpp"
+#include <cairn/scenes/scene_file.hpp>
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "scenes/scene_formula.hpp"
+#include <cairn/scenes/scene_formula.hpp>
 
 using namespace cairn;
 

@@ -4,19 +4,19 @@
 #include <cmath>
 #include <string>
 
-#include "constraints/differential_joint.hpp"
-#include "constraints/distance_joint.hpp"
-#include "constraints/drag_joint.hpp"
-#include "constraints/friction_joint.hpp"
-#include "constraints/gear_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/pulley_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "measure/violation.hpp"
-#include "scenes/scene_file.hpp"
-#include "study/trial.hpp"
-#include "world/world.hpp"
+#include <cairn/constraints/differential_joint.hpp>
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/drag_joint.hpp>
+#include <cairn/constraints/friction_joint.hpp>
+#include <cairn/constraints/gear_joint.hpp>
+#include <cairn/constraints/prismatic_joint.hpp>
+#include <cairn/constraints/pulley_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/constraints/weld_joint.hpp>
+#include <cairn/measure/violation.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/study/trial.hpp>
+#include <cairn/world/world.hpp>
 
 using namespace cairn;
 

@@ -1,5 +1,5 @@
 // Scenes by name, and what is expected of each.
-#include "scenes/scene_list.hpp"
+#include <cairn/scenes/scene_list.hpp>
 
 #include <doctest/doctest.h>
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "math/list.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/solver_list.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/scenes/solver_list.hpp>
 
 using namespace cairn;
 

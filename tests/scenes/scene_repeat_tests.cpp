@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include "math/list.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_schema.hpp"
-#include "study/trial.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/scenes/scene_schema.hpp>
+#include <cairn/study/trial.hpp>
 
 using namespace cairn;
 

@@ -1,5 +1,5 @@
 // The table of keys: it is whole, and its page is up to date.
-#include "scenes/scene_schema.hpp"
+#include <cairn/scenes/scene_schema.hpp>
 
 #include <doctest/doctest.h>
 
@@ -13,10 +13,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_formula.hpp"
-#include "scenes/setting.hpp"
-#include "world/scene.hpp"
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/scenes/scene_formula.hpp>
+#include <cairn/scenes/setting.hpp>
+#include <cairn/world/scene.hpp>
 
 using namespace cairn;
 

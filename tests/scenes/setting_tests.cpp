@@ -1,5 +1,5 @@
 // Settings in words, and what a setting decides of a scene.
-#include "scenes/setting.hpp"
+#include <cairn/scenes/setting.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Solvers by name.
-#include "scenes/solver_list.hpp"
+#include <cairn/scenes/solver_list.hpp>
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "solvers/iterative/jacobi.hpp"
+#include <cairn/solvers/iterative/jacobi.hpp>
 #include "solvers/solver_list.hpp"
 
 using namespace cairn;

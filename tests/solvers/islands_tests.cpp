@@ -1,5 +1,5 @@
 // The islands of a problem, and Newton's method on each by itself.
-#include "constraints/converted.hpp"
+#include <cairn/constraints/converted.hpp>
 #include "solver_list.hpp"
 
 using namespace cairn;

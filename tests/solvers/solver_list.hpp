@@ -2,7 +2,7 @@
 #pragma once
 
 #include "testing.hpp"
-#include "validation/case_problems.hpp"
+#include <cairn/validation/case_problems.hpp>
 
 namespace cairn::testing {
 

@@ -1,5 +1,5 @@
 // Motions with a known end: the error of a run goes down with its step, to what formulas foretell.
-#include "study/answered_scenes.hpp"
+#include <cairn/study/answered_scenes.hpp>
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "study/trial.hpp"
+#include <cairn/study/trial.hpp>
 
 using namespace cairn;
 

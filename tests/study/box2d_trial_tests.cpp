@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "math/list.hpp"
-#include "study/contestant.hpp"
-#include "study/expectation.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/study/contestant.hpp>
+#include <cairn/study/expectation.hpp>
 
 #ifdef CAIRN_HAVE_BOX2D
 

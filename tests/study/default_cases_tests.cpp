@@ -6,12 +6,12 @@
 #include <set>
 #include <string>
 
-#include "constraints/distance_joint.hpp"
-#include "solvers/exact/newton_solver.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/simulation.hpp"
-#include "study/expectation.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/solvers/exact/newton_solver.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/scenes/simulation.hpp>
+#include <cairn/study/expectation.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 using namespace cairn;
 

@@ -1,8 +1,8 @@
 // Runs of scenes that change on the way, and of scenes that say where they should end.
 #include <doctest/doctest.h>
 
-#include "geometry/shape.hpp"
-#include "study/trial.hpp"
+#include <cairn/geometry/shape.hpp>
+#include <cairn/study/trial.hpp>
 
 using namespace cairn;
 

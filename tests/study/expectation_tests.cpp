@@ -1,5 +1,5 @@
 // What the scenes that come with Cairn expect of a run, and whether it is met.
-#include "study/expectation.hpp"
+#include <cairn/study/expectation.hpp>
 
 #include <doctest/doctest.h>
 

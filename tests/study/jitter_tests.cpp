@@ -1,5 +1,5 @@
 // Starts that differ a little.
-#include "study/jitter.hpp"
+#include <cairn/study/jitter.hpp>
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "geometry/shape.hpp"
+#include <cairn/geometry/shape.hpp>
 
 using namespace cairn;
 

@@ -1,5 +1,5 @@
 // Studies that are stopped, taken up again, and shared out.
-#include "study/journal.hpp"
+#include <cairn/study/journal.hpp>
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "scratch_folder.hpp"
-#include "study/build_info.hpp"
+#include <cairn/study/build_info.hpp>
 
 using namespace cairn;
 using cairn::testing::ScratchFolder;

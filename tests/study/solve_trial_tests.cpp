@@ -1,13 +1,13 @@
 // One solver on one problem: errors by formula, work counted, cycles and plateaus told apart.
-#include "study/solve_trial.hpp"
+#include <cairn/study/solve_trial.hpp>
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "solvers/exact/reference_solver.hpp"
-#include "validation/case_problems.hpp"
+#include <cairn/solvers/exact/reference_solver.hpp>
+#include <cairn/validation/case_problems.hpp>
 
 using namespace cairn;
 

@@ -1,10 +1,10 @@
 // Whether bodies keep their places: what settling may do, and what it may not.
-#include "study/standing.hpp"
+#include <cairn/study/standing.hpp>
 
 #include <doctest/doctest.h>
 
-#include "study/trial.hpp"
-#include "world/world.hpp"
+#include <cairn/study/trial.hpp>
+#include <cairn/world/world.hpp>
 
 using namespace cairn;
 

@@ -1,5 +1,5 @@
 // Rows of the trade's tables: every name in its own column, every number back again.
-#include "study/trade_row.hpp"
+#include <cairn/study/trade_row.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Whole runs against each other: every setting a row, whatever became of it.
-#include "study/trajectory_study.hpp"
+#include <cairn/study/trajectory_study.hpp>
 
 #include <doctest/doctest.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 #include <set>
 
-#include "constraints/revolute_joint.hpp"
-#include "scenes/scene_list.hpp"
-#include "study/trade_row.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/study/trade_row.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 using namespace cairn;
 

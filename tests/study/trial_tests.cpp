@@ -1,20 +1,20 @@
 // One run of a scene under a setting.
-#include "study/trial.hpp"
+#include <cairn/study/trial.hpp>
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "constraints/revolute_joint.hpp"
-#include "geometry/shape.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_list.hpp"
-#include "scenes/solver_list.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "study/contestant.hpp"
-#include "study/jitter.hpp"
-#include "world/world.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/geometry/shape.hpp>
+#include <cairn/scenes/scene_file.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/study/contestant.hpp>
+#include <cairn/study/jitter.hpp>
+#include <cairn/world/world.hpp>
 
 using namespace cairn;
 

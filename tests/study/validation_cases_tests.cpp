@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "validation/box2d_engine.hpp"
-#include "validation/case.hpp"
-#include "validation/case_runs.hpp"
-#include "validation/worst.hpp"
+#include <cairn/validation/box2d_engine.hpp>
+#include <cairn/validation/case.hpp>
+#include <cairn/validation/case_runs.hpp>
+#include <cairn/validation/worst.hpp>
 
 namespace cairn::validation_tests {
 

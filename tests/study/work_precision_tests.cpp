@@ -1,5 +1,5 @@
 // Tables of work against error: complete, with their failures; fronts and sums against brute force.
-#include "study/work_precision.hpp"
+#include <cairn/study/work_precision.hpp>
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "study/trade_row.hpp"
-#include "validation/case_problems.hpp"
+#include <cairn/study/trade_row.hpp>
+#include <cairn/validation/case_problems.hpp>
 
 using namespace cairn;
 

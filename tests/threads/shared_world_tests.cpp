@@ -3,8 +3,8 @@
 #include <atomic>
 #include <thread>
 
-#include "measure/fingerprint.hpp"
-#include "samples/samples.hpp"
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "study/tuning/map_study.hpp"
+#include <cairn/study/tuning/map_study.hpp>
 
 using namespace cairn;
 

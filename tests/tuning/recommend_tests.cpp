@@ -1,5 +1,5 @@
 // Recommended settings: what the file says comes from runs, and is what they say today.
-#include "study/tuning/recommend.hpp"
+#include <cairn/study/tuning/recommend.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // The tuner against runs whose outcome is a formula, and against all settings tried one by one.
-#include "study/tuning/tuner.hpp"
+#include <cairn/study/tuning/tuner.hpp>
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "scenes/scene_list.hpp"
+#include <cairn/scenes/scene_list.hpp>
 
 using namespace cairn;
 

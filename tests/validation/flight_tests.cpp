@@ -1,5 +1,5 @@
 // Bounces, with and without a contact that is foreseen.
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "problems.hpp"
 
 using namespace cairn;

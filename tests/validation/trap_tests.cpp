@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "problems.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 
 #include "problems.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

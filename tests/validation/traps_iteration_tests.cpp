@@ -1,7 +1,7 @@
 // Mistakes in the sweep itself: stale values, limits of friction from another moment, contradictory rows, and
 // tests so symmetric that they hide what is slow.
 #include "problems.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -3,9 +3,9 @@
 #include <set>
 
 #include "geometry/random_shapes.hpp"
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "problems.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

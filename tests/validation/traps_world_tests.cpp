@@ -2,9 +2,9 @@
 // counted, bodies that fall asleep.
 #include "constraints/constraint_list.hpp"
 #include "geometry/random_shapes.hpp"
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "problems.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

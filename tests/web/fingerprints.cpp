@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <exception>
 
-#include "measure/fingerprint.hpp"
-#include "scenes/scene_list.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
 
 namespace {
 

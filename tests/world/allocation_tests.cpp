@@ -6,8 +6,8 @@
 #include <new>
 
 #include "solvers/solver_list.hpp"
-#include "cairn.hpp"
-#include "samples/samples.hpp"
+#include <cairn/cairn.hpp>
+#include <cairn/samples/samples.hpp>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define CAIRN_TEST_SANITIZED 1

@@ -1,5 +1,5 @@
 // Manifolds that last longer than a substep: what stays the same to the bit, and what differs by how much.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 namespace cairn {

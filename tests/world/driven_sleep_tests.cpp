@@ -1,6 +1,6 @@
 // What is slow because it is driven slowly, and must not fall asleep; and a pile that must.
 #include "geometry/random_shapes.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "sleeping_worlds.hpp"
 
 using namespace cairn;

@@ -1,7 +1,7 @@
 // Manifolds that move with their bodies, and solvers that take their contacts without rows: to the bits of
 // rows.
 #include "leaning_wall.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

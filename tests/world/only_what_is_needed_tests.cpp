@@ -2,7 +2,7 @@
 #include <set>
 #include <sstream>
 
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -1,7 +1,7 @@
 // How deep bodies of one shape each are in each other, by their poses alone.
 #pragma once
 
-#include "collision/collide.hpp"
+#include <cairn/collision/collide.hpp>
 #include "testing.hpp"
 
 namespace cairn::testing {

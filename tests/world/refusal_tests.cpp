@@ -1,6 +1,6 @@
 // Every number of a scene that cannot be simulated is refused, and the message names field, rule, unit and
 // value.
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

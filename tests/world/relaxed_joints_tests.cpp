@@ -1,6 +1,6 @@
 // Joints that no solver has solved to the end: what Baumgarte makes of their errors, and what the policy
 // relaxed does, which scenes have where nothing is said.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

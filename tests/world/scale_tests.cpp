@@ -1,6 +1,6 @@
 // Scenes of all sizes behave alike: what was not said follows from the bodies, and is scaled as they are.
 #include "testing.hpp"
-#include "world/scene_length.hpp"
+#include <cairn/world/scene_length.hpp>
 
 using namespace cairn;
 

@@ -1,5 +1,5 @@
 // Falling asleep: which bodies, after how long, and what a sleeping body costs.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "sleeping_worlds.hpp"
 
 using namespace cairn;

@@ -1,7 +1,7 @@
 // What the tests of sleeping share: scenes that come to rest, and what is compared between worlds.
 #pragma once
 
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 namespace cairn::testing {

@@ -1,6 +1,6 @@
 // Solvers that take contacts as they are, and solvers that take rows, in one run: to the bits of rows alone.
 #include "leaning_wall.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -1,5 +1,5 @@
 // What becomes of an overlap under each policy: the table of the pop, each line against its formula.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

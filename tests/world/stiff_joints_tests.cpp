@@ -2,7 +2,7 @@
 // when they get tight; and what swings on a rope.
 #include <numbers>
 
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

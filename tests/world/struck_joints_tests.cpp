@@ -1,6 +1,6 @@
 // Joints that hold angles come back when they were struck: sweeps spread moments slowly, an exact solve at
 // once.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -1,5 +1,5 @@
 // Waking: by what, which bodies, and that they go on as if they had only been held still.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "sleeping_worlds.hpp"
 
 using namespace cairn;

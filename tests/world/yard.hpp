@@ -1,7 +1,7 @@
 // A scene with a bit of everything, for tests that change it while it runs.
 #pragma once
 
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 namespace cairn::testing {

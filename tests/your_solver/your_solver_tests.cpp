@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 #include "run_solver.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // Floor 4. Elimination, body by body.
-#include "solvers/exact/block_factors.hpp"
+#include <cairn/solvers/exact/block_factors.hpp>
 
 #include <Eigen/LU>
 

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <utility>
 
-#include "solvers/exact/elimination.hpp"
-#include "solvers/system_matrix.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/elimination.hpp>
+#include <cairn/solvers/system_matrix.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 4. Rows as a linear complementarity problem.
 #include <cmath>
 
-#include "solvers/exact/exact_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/exact_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

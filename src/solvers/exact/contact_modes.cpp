@@ -1,15 +1,15 @@
 // Floor 4. Modes of rows, each a system of linear equations.
-#include "solvers/exact/contact_modes.hpp"
+#include <cairn/solvers/exact/contact_modes.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "constraints/converted.hpp"
-#include "math/deadline.hpp"
-#include "solvers/exact/dictionary.hpp"
-#include "solvers/exact/impulse_family.hpp"
-#include "solvers/residual.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/math/deadline.hpp>
+#include <cairn/solvers/exact/dictionary.hpp>
+#include <cairn/solvers/exact/impulse_family.hpp>
+#include <cairn/solvers/residual.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

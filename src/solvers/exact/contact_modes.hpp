@@ -1,8 +1,8 @@
 // Floor 4. All answers that a small problem has, by trying every mode of every row.
 #pragma once
 
-#include "solvers/exact/exact_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/exact_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,13 +1,13 @@
 // Floor 4. Pivots in a dense table.
-#include "solvers/exact/dictionary.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/dictionary.hpp>
+#include <cairn/math/list.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
 
-#include "math/deadline.hpp"
+#include <cairn/math/deadline.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "solvers/system_matrix.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/system_matrix.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

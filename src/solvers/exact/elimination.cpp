@@ -1,5 +1,5 @@
 // Floor 4. An order by approximate minimum degree, and the pairs that elimination adds.
-#include "solvers/exact/elimination.hpp"
+#include <cairn/solvers/exact/elimination.hpp>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

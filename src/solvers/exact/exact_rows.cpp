@@ -1,14 +1,14 @@
 // Floor 4. Units, equalities and bounds of an exact problem.
-#include "solvers/exact/exact_rows.hpp"
+#include <cairn/solvers/exact/exact_rows.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "math/check.hpp"
-#include "solvers/body_rows.hpp"
-#include "solvers/exact/dictionary.hpp"
-#include "solvers/residual.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/solvers/body_rows.hpp>
+#include <cairn/solvers/exact/dictionary.hpp>
+#include <cairn/solvers/residual.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

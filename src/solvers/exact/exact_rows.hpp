@@ -1,9 +1,9 @@
 // Floor 4. A problem of rows as the exact methods see it: long double, without units, without equalities.
 #pragma once
 
-#include "constraints/row.hpp"
-#include "solvers/system_matrix.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/solvers/system_matrix.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

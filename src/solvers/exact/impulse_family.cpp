@@ -1,11 +1,11 @@
 // Floor 4. Directions in which impulses can change without any effect.
-#include "solvers/exact/impulse_family.hpp"
+#include <cairn/solvers/exact/impulse_family.hpp>
 
 #include <cmath>
 
-#include "solvers/exact/dictionary.hpp"
-#include "solvers/exact/lemke.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/dictionary.hpp>
+#include <cairn/solvers/exact/lemke.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

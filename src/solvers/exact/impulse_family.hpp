@@ -1,7 +1,7 @@
 // Floor 4. Whether impulses are the only ones with their effect.
 #pragma once
 
-#include "solvers/exact/exact_rows.hpp"
+#include <cairn/solvers/exact/exact_rows.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. Rows with one bound or none, and the friction that they limit.
-#include "solvers/exact/interior_members.hpp"
+#include <cairn/solvers/exact/interior_members.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Floor 4. Which rows go through the interior of their bounds together.
 #pragma once
 
-#include "solvers/exact/scaled_rows.hpp"
+#include <cairn/solvers/exact/scaled_rows.hpp>
 
 namespace cairn {
 

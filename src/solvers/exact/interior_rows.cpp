@@ -1,5 +1,5 @@
 // Floor 4. Impulses and speeds that are never negative.
-#include "solvers/exact/interior_rows.hpp"
+#include <cairn/solvers/exact/interior_rows.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "solvers/exact/interior_members.hpp"
-#include "solvers/exact/proximal_center.hpp"
+#include <cairn/solvers/exact/interior_members.hpp>
+#include <cairn/solvers/exact/proximal_center.hpp>
 
 namespace cairn {
 

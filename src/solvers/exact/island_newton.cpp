@@ -1,12 +1,12 @@
 // Floor 4. Proximal steps from the warm start.
-#include "solvers/exact/island_newton.hpp"
+#include <cairn/solvers/exact/island_newton.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "math/deadline.hpp"
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
+#include <cairn/math/deadline.hpp>
+#include <cairn/solvers/iterative/accelerated_projected_gauss_seidel.hpp>
 
 namespace cairn {
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "solvers/exact/interior_rows.hpp"
-#include "solvers/exact/newton_steps.hpp"
-#include "solvers/exact/slope_factors.hpp"
-#include "solvers/solver.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/interior_rows.hpp>
+#include <cairn/solvers/exact/newton_steps.hpp>
+#include <cairn/solvers/exact/slope_factors.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

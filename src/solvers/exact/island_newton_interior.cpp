@@ -1,8 +1,8 @@
 // Floor 4. The way through the interior of all bounds.
 #include <algorithm>
 
-#include "math/deadline.hpp"
-#include "solvers/exact/island_newton.hpp"
+#include <cairn/math/deadline.hpp>
+#include <cairn/solvers/exact/island_newton.hpp>
 
 namespace cairn {
 

@@ -1,12 +1,12 @@
 // Floor 4. Lemke's method on a dictionary of w and z.
-#include "solvers/exact/lemke.hpp"
+#include <cairn/solvers/exact/lemke.hpp>
 
 #include <cmath>
 #include <limits>
 
-#include "math/check.hpp"
-#include "solvers/exact/dictionary.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/solvers/exact/dictionary.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

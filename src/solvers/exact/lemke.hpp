@@ -1,7 +1,7 @@
 // Floor 4. Lemke's method for linear complementarity problems.
 #pragma once
 
-#include "solvers/system_matrix.hpp"
+#include <cairn/solvers/system_matrix.hpp>
 
 namespace cairn {
 

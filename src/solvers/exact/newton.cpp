@@ -1,16 +1,16 @@
 // Floor 4. Proximal steps, each by a damped semismooth Newton's method on sparse factors.
-#include "solvers/exact/newton.hpp"
+#include <cairn/solvers/exact/newton.hpp>
 
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
-#include "math/deadline.hpp"
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
-#include "solvers/exact/contact_modes.hpp"
-#include "solvers/exact/exact_rows.hpp"
-#include "solvers/exact/newton_steps.hpp"
-#include "math/list.hpp"
+#include <cairn/math/deadline.hpp>
+#include <cairn/solvers/iterative/accelerated_projected_gauss_seidel.hpp>
+#include <cairn/solvers/exact/contact_modes.hpp>
+#include <cairn/solvers/exact/exact_rows.hpp>
+#include <cairn/solvers/exact/newton_steps.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 4. Newton's method for all rows at once.
 #pragma once
 
-#include "constraints/row.hpp"
+#include <cairn/constraints/row.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. Newton's method, island by island.
-#include "solvers/exact/newton_solver.hpp"
+#include <cairn/solvers/exact/newton_solver.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "solvers/exact/island_newton.hpp"
-#include "solvers/islands.hpp"
-#include "solvers/solver.hpp"
+#include <cairn/solvers/exact/island_newton.hpp>
+#include <cairn/solvers/islands.hpp>
+#include <cairn/solvers/solver.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. Steps that are taken, shortened or refused.
-#include "solvers/exact/newton_steps.hpp"
+#include <cairn/solvers/exact/newton_steps.hpp>
 
 namespace cairn {
 

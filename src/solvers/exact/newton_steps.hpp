@@ -1,7 +1,7 @@
 // Floor 4. Newton's method on rows that are a little soft: what newton() and NewtonSolver share.
 #pragma once
 
-#include "solvers/exact/proximal_map.hpp"
+#include <cairn/solvers/exact/proximal_map.hpp>
 
 namespace cairn {
 

@@ -1,11 +1,11 @@
 // Floor 4. Other ways into a problem, and whether they end elsewhere.
-#include "solvers/exact/other_answers.hpp"
+#include <cairn/solvers/exact/other_answers.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/exact/newton.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/newton.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 4. Whether a problem has another answer: what searches for one.
 #pragma once
 
-#include "constraints/row.hpp"
-#include "solvers/system_matrix.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/solvers/system_matrix.hpp>
 
 namespace cairn {
 

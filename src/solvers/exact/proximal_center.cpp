@@ -1,5 +1,5 @@
 // Floor 4. Impulses, and what is left of their rows.
-#include "solvers/exact/proximal_center.hpp"
+#include <cairn/solvers/exact/proximal_center.hpp>
 
 namespace cairn {
 

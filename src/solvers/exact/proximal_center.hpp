@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/exact/scaled_rows.hpp"
+#include <cairn/solvers/exact/scaled_rows.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. Impulses as functions of velocities.
-#include "solvers/exact/proximal_map.hpp"
+#include <cairn/solvers/exact/proximal_map.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Floor 4. Rows made a little soft around a centre: what Newton's method solves.
 #pragma once
 
-#include "solvers/exact/proximal_center.hpp"
+#include <cairn/solvers/exact/proximal_center.hpp>
 
 namespace cairn {
 

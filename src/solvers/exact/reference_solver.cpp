@@ -1,20 +1,20 @@
 // Floor 4. Which exact method is for which problem, and what it proves.
-#include "solvers/exact/reference_solver.hpp"
+#include <cairn/solvers/exact/reference_solver.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "constraints/converted.hpp"
-#include "math/check.hpp"
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
-#include "solvers/exact/contact_modes.hpp"
-#include "solvers/exact/impulse_family.hpp"
-#include "solvers/exact/lemke.hpp"
-#include "solvers/exact/newton.hpp"
-#include "solvers/exact/other_answers.hpp"
-#include "solvers/residual.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/solvers/iterative/accelerated_projected_gauss_seidel.hpp>
+#include <cairn/solvers/exact/contact_modes.hpp>
+#include <cairn/solvers/exact/impulse_family.hpp>
+#include <cairn/solvers/exact/lemke.hpp>
+#include <cairn/solvers/exact/newton.hpp>
+#include <cairn/solvers/exact/other_answers.hpp>
+#include <cairn/solvers/residual.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "solvers/exact/exact_rows.hpp"
-#include "solvers/solver.hpp"
+#include <cairn/solvers/exact/exact_rows.hpp>
+#include <cairn/solvers/solver.hpp>
 
 namespace cairn {
 

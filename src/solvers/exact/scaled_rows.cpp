@@ -1,5 +1,5 @@
 // Floor 4. Rows lose their units.
-#include "solvers/exact/scaled_rows.hpp"
+#include <cairn/solvers/exact/scaled_rows.hpp>
 
 #include <cmath>
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "constraints/row.hpp"
-#include "solvers/system_matrix.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/solvers/system_matrix.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. Rows become a matrix of blocks.
-#include "solvers/exact/slope_factors.hpp"
+#include <cairn/solvers/exact/slope_factors.hpp>
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "solvers/exact/block_factors.hpp"
-#include "solvers/exact/scaled_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/exact/block_factors.hpp>
+#include <cairn/solvers/exact/scaled_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. Projected Gauss-Seidel with momentum and restarts.
-#include "solvers/iterative/accelerated_projected_gauss_seidel.hpp"
+#include <cairn/solvers/iterative/accelerated_projected_gauss_seidel.hpp>
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
 // Floor 4. Algorithm 1 of the paper, block by block.
-#include "solvers/iterative/block_sequential_impulse.hpp"
+#include <cairn/solvers/iterative/block_sequential_impulse.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "solvers/body_rows.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/body_rows.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

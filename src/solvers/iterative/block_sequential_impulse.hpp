@@ -1,12 +1,12 @@
 // Floor 4. Sequential impulses for whole blocks of rows: section 4.3 of the paper.
 #pragma once
 
-#include "solvers/iterative/block_solve.hpp"
-#include "solvers/iterative/equality_pair.hpp"
-#include "solvers/row_order.hpp"
-#include "solvers/solver.hpp"
-#include "solvers/stopping.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/iterative/block_solve.hpp>
+#include <cairn/solvers/iterative/equality_pair.hpp>
+#include <cairn/solvers/row_order.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/stopping.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. A direct factorization, and enumerations of a few cases.
-#include "solvers/iterative/block_solve.hpp"
+#include <cairn/solvers/iterative/block_solve.hpp>
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "math/math.hpp"
-#include "math/list.hpp"
+#include <cairn/math/math.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. Lays two equality rows out for sweeps.
-#include "solvers/iterative/equality_pair.hpp"
+#include <cairn/solvers/iterative/equality_pair.hpp>
 
 namespace cairn {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "constraints/row.hpp"
-#include "math/list.hpp"
-#include "solvers/iterative/block_solve.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/solvers/iterative/block_solve.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. E. Catto's form of section 2: A is never multiplied out.
-#include "solvers/iterative/factored_projected_gauss_seidel.hpp"
+#include <cairn/solvers/iterative/factored_projected_gauss_seidel.hpp>
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 // Floor 4. Projected Gauss-Seidel that never forms A: J and M^-1 J^T, two bodies a row.
 #pragma once
 
-#include "solvers/row_order.hpp"
-#include "solvers/solver.hpp"
-#include "solvers/stopping.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/row_order.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/stopping.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

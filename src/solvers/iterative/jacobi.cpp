@@ -1,5 +1,5 @@
 // Floor 4. Jacobi's method, plain, damped, or with split masses.
-#include "solvers/iterative/jacobi.hpp"
+#include <cairn/solvers/iterative/jacobi.hpp>
 
 #include <cmath>
 

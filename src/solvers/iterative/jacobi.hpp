@@ -1,9 +1,9 @@
 // Floor 4. Jacobi's method: all rows at once (paper 4.4, last paragraph).
 #pragma once
 
-#include "solvers/solver.hpp"
-#include "solvers/stopping.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/stopping.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

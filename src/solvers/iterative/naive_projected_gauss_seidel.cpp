@@ -1,5 +1,5 @@
 // Floor 4. The paper's "if implemented naively" (4.4), for comparison only.
-#include "solvers/iterative/naive_projected_gauss_seidel.hpp"
+#include <cairn/solvers/iterative/naive_projected_gauss_seidel.hpp>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // Floor 4. Section 2 of the paper: A lambda = b by projected Gauss-Seidel.
-#include "solvers/iterative/projected_gauss_seidel.hpp"
+#include <cairn/solvers/iterative/projected_gauss_seidel.hpp>
 
 #include <cmath>
 #include <stdexcept>

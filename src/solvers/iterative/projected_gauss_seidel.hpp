@@ -1,10 +1,10 @@
 // Floor 4. Projected Gauss-Seidel over system matrices: section 2 of the paper, as written.
 #pragma once
 
-#include "solvers/row_order.hpp"
-#include "solvers/solver.hpp"
-#include "solvers/stopping.hpp"
-#include "solvers/system_matrix.hpp"
+#include <cairn/solvers/row_order.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/stopping.hpp>
+#include <cairn/solvers/system_matrix.hpp>
 
 namespace cairn {
 

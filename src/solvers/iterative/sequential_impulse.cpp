@@ -1,5 +1,5 @@
 // Floor 4. Algorithm 1 of the paper.
-#include "solvers/iterative/sequential_impulse.hpp"
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
 
 #include <cmath>
 

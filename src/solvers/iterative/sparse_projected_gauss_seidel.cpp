@@ -1,5 +1,5 @@
 // Floor 4. Section 2 of the paper with the optimisation of 2.3: only what is not zero.
-#include "solvers/iterative/sparse_projected_gauss_seidel.hpp"
+#include <cairn/solvers/iterative/sparse_projected_gauss_seidel.hpp>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,11 +1,11 @@
 // Floor 4. Projected Gauss-Seidel over the entries of A that can be non-zero (paper 2.3 and 4.4).
 #pragma once
 
-#include "solvers/body_rows.hpp"
-#include "solvers/row_order.hpp"
-#include "solvers/solver.hpp"
-#include "solvers/stopping.hpp"
-#include "math/list.hpp"
+#include <cairn/solvers/body_rows.hpp>
+#include <cairn/solvers/row_order.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/stopping.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

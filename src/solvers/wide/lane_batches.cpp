@@ -1,9 +1,9 @@
 // Floor 4. From colours to batches.
-#include "solvers/wide/lane_batches.hpp"
+#include <cairn/solvers/wide/lane_batches.hpp>
 
 #include <algorithm>
 
-#include "solvers/wide/lane_kinds.hpp"
+#include <cairn/solvers/wide/lane_kinds.hpp>
 
 namespace cairn {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "constraints/row.hpp"
-#include "math/list.hpp"
-#include "solvers/wide/lane_colouring.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/solvers/wide/lane_colouring.hpp>
 
 namespace cairn {
 

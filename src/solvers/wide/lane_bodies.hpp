@@ -1,7 +1,7 @@
 // Floor 4. Bodies of a batch in registers: compiled once for each instruction set, in a file of its own.
 #pragma once
 
-#include "solvers/wide/lane_data.hpp"
+#include <cairn/solvers/wide/lane_data.hpp>
 
 namespace cairn {
 

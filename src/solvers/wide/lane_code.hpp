@@ -1,11 +1,11 @@
 // Floor 4. All that lanes do, in registers of one width: compiled once for each instruction set.
 #pragma once
 
-#include "solvers/wide/lane_contact_rows.hpp"
-#include "solvers/wide/lane_contact_sweep.hpp"
-#include "solvers/wide/lane_filling.hpp"
-#include "solvers/wide/lane_sets.hpp"
-#include "solvers/wide/lane_sweep.hpp"
+#include <cairn/solvers/wide/lane_contact_rows.hpp>
+#include <cairn/solvers/wide/lane_contact_sweep.hpp>
+#include <cairn/solvers/wide/lane_filling.hpp>
+#include <cairn/solvers/wide/lane_sets.hpp>
+#include <cairn/solvers/wide/lane_sweep.hpp>
 
 namespace cairn {
 

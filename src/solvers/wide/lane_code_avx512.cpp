@@ -1,5 +1,5 @@
 // Floor 4. Lanes in registers of 64 bytes. Compiled with instructions that not every processor has.
-#include "solvers/wide/lane_code.hpp"
+#include <cairn/solvers/wide/lane_code.hpp>
 
 namespace cairn {
 

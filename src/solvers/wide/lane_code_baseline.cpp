@@ -1,5 +1,5 @@
 // Floor 4. Lanes in registers of 16 bytes, with instructions that every processor of its kind has.
-#include "solvers/wide/lane_code.hpp"
+#include <cairn/solvers/wide/lane_code.hpp>
 
 namespace cairn {
 

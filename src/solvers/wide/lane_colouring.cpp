@@ -1,5 +1,5 @@
 // Floor 4. Colours for blocks.
-#include "solvers/wide/lane_colouring.hpp"
+#include <cairn/solvers/wide/lane_colouring.hpp>
 
 #include <algorithm>
 #include <bit>

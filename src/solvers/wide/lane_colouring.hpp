@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "math/list.hpp"
-#include "dynamics/body.hpp"
-#include "solvers/wide/lane_data.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/solvers/wide/lane_data.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 4. Contacts side by side in lanes: what the code of every instruction set reads and writes.
 #pragma once
 
-#include "constraints/row_rule.hpp"
-#include "solvers/wide/lane_data.hpp"
+#include <cairn/constraints/row_rule.hpp>
+#include <cairn/solvers/wide/lane_data.hpp>
 
 namespace cairn {
 

@@ -3,9 +3,9 @@
 // Bounds::clamp() do for one row.
 #pragma once
 
-#include "solvers/wide/lane_bodies.hpp"
-#include "solvers/wide/lane_contact_data.hpp"
-#include "solvers/wide/lane_filling.hpp"
+#include <cairn/solvers/wide/lane_bodies.hpp>
+#include <cairn/solvers/wide/lane_contact_data.hpp>
+#include <cairn/solvers/wide/lane_filling.hpp>
 
 namespace cairn {
 

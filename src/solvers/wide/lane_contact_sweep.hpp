@@ -3,8 +3,8 @@
 // SequentialImpulse do for one row after the other.
 #pragma once
 
-#include "solvers/wide/lane_bodies.hpp"
-#include "solvers/wide/lane_contact_data.hpp"
+#include <cairn/solvers/wide/lane_bodies.hpp>
+#include <cairn/solvers/wide/lane_contact_data.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 4. From contacts to lanes, and back.
-#include "solvers/wide/lane_contacts.hpp"
+#include <cairn/solvers/wide/lane_contacts.hpp>
 
 #include <algorithm>
 #include <cmath>

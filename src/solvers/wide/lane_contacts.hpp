@@ -1,10 +1,10 @@
 // Floor 4. Contacts in lanes, of which no rows were written.
 #pragma once
 
-#include "math/list.hpp"
-#include "constraints/row.hpp"
-#include "solvers/wide/lane_batches.hpp"
-#include "solvers/wide/lane_sets.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/constraints/row.hpp>
+#include <cairn/solvers/wide/lane_batches.hpp>
+#include <cairn/solvers/wide/lane_sets.hpp>
 
 namespace cairn {
 

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "constraints/row_rule.hpp"
-#include "solvers/wide/lane_data.hpp"
+#include <cairn/constraints/row_rule.hpp>
+#include <cairn/solvers/wide/lane_data.hpp>
 
 namespace cairn {
 

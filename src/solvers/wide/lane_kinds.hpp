@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "solvers/wide/lane_data.hpp"
+#include <cairn/solvers/wide/lane_data.hpp>
 
 namespace cairn {
 

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <numeric>
 
-#include "solvers/residual.hpp"
-#include "solvers/wide/lane_system.hpp"
+#include <cairn/solvers/residual.hpp>
+#include <cairn/solvers/wide/lane_system.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 4. What colouring sees of a problem.
 #include <algorithm>
 
-#include "solvers/solver.hpp"
-#include "solvers/wide/lane_batches.hpp"
-#include "solvers/wide/lane_kinds.hpp"
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/wide/lane_batches.hpp>
+#include <cairn/solvers/wide/lane_kinds.hpp>
 
 namespace cairn {
 

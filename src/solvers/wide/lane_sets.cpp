@@ -1,5 +1,5 @@
 // Floor 4. Which sweep this processor can do.
-#include "solvers/wide/lane_sets.hpp"
+#include <cairn/solvers/wide/lane_sets.hpp>
 
 namespace cairn {
 

@@ -1,8 +1,8 @@
 // Floor 4. The instruction sets that lanes are compiled for.
 #pragma once
 
-#include "solvers/wide/lane_contact_data.hpp"
-#include "solvers/wide/lane_data.hpp"
+#include <cairn/solvers/wide/lane_contact_data.hpp>
+#include <cairn/solvers/wide/lane_data.hpp>
 
 namespace cairn {
 

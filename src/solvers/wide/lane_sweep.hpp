@@ -1,7 +1,7 @@
 // Floor 4. One sweep over batches: compiled once for each instruction set, in a file of its own.
 #pragma once
 
-#include "solvers/wide/lane_bodies.hpp"
+#include <cairn/solvers/wide/lane_bodies.hpp>
 
 namespace cairn {
 

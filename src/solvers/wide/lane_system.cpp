@@ -1,12 +1,12 @@
 // Floor 4. Fills lanes, and empties them.
-#include "solvers/wide/lane_system.hpp"
+#include <cairn/solvers/wide/lane_system.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "constraints/contact_rows.hpp"
-#include "math/check.hpp"
+#include <cairn/constraints/contact_rows.hpp>
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

@@ -1,11 +1,11 @@
 // Floor 4. A velocity problem in lanes, and back.
 #pragma once
 
-#include "math/list.hpp"
-#include "solvers/solver.hpp"
-#include "solvers/wide/lane_batches.hpp"
-#include "solvers/wide/lane_contacts.hpp"
-#include "solvers/wide/lane_sets.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/wide/lane_batches.hpp>
+#include <cairn/solvers/wide/lane_contacts.hpp>
+#include <cairn/solvers/wide/lane_sets.hpp>
 
 namespace cairn {
 

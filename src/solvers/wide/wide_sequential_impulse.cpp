@@ -1,5 +1,5 @@
 // Floor 4. Algorithm 1 in lanes, with momentum or without.
-#include "solvers/wide/wide_sequential_impulse.hpp"
+#include <cairn/solvers/wide/wide_sequential_impulse.hpp>
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // Floor 4. Sequential impulses, many rows at a time.
 #pragma once
 
-#include "solvers/solver.hpp"
-#include "solvers/stopping.hpp"
-#include "solvers/wide/lane_system.hpp"
+#include <cairn/solvers/solver.hpp>
+#include <cairn/solvers/stopping.hpp>
+#include <cairn/solvers/wide/lane_system.hpp>
 
 namespace cairn {
 

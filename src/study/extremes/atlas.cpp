@@ -1,5 +1,5 @@
 // Floor 9. The maps as a study, read back from its journal, and what they say in words.
-#include "study/extremes/atlas.hpp"
+#include <cairn/study/extremes/atlas.hpp>
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <optional>
 
-#include "study/trial.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
-#include "study/setting_grid.hpp"
-#include "study/trade_row.hpp"
+#include <cairn/study/trial.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/setting_grid.hpp>
+#include <cairn/study/trade_row.hpp>
 
 namespace cairn {
 

@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "math/list.hpp"
-#include "scenes/setting.hpp"
-#include "study/journal.hpp"
-#include "study/trial.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/setting.hpp>
+#include <cairn/study/journal.hpp>
+#include <cairn/study/trial.hpp>
 
 namespace cairn {
 

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "constraints/revolute_joint.hpp"
-#include "study/extremes/atlas.hpp"
-#include "math/list.hpp"
-#include "study/setting_grid.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/study/extremes/atlas.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/setting_grid.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn {
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "constraints/distance_joint.hpp"
-#include "study/extremes/atlas.hpp"
-#include "math/math.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/study/extremes/atlas.hpp>
+#include <cairn/math/math.hpp>
 
 namespace cairn {
 

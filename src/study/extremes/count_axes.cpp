@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "study/extremes/extreme_axes.hpp"
-#include "math/list.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

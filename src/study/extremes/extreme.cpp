@@ -1,5 +1,5 @@
 // Floor 9. From what a case does to a verdict, and to a row of a table.
-#include "study/extremes/extreme.hpp"
+#include <cairn/study/extremes/extreme.hpp>
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "study/extremes/extreme_axes.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
-#include "study/build_info.hpp"
-#include "study/trade_row.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/build_info.hpp>
+#include <cairn/study/trade_row.hpp>
 
 namespace cairn {
 

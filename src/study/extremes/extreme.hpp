@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "math/list.hpp"
-#include "measure/csv.hpp"
-#include "scenes/setting.hpp"
-#include "study/journal.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
+#include <cairn/scenes/setting.hpp>
+#include <cairn/study/journal.hpp>
 
 namespace cairn {
 

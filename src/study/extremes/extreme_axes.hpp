@@ -1,10 +1,10 @@
 // Floor 9. The groups of axes, one file each, and what they build their cases from.
 #pragma once
 
-#include "study/extremes/extreme.hpp"
-#include "study/setting_grid.hpp"
-#include "study/trial.hpp"
-#include "math/list.hpp"
+#include <cairn/study/extremes/extreme.hpp>
+#include <cairn/study/setting_grid.hpp>
+#include <cairn/study/trial.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "study/extremes/extreme_axes.hpp"
-#include "math/list.hpp"
-#include "world/scene_length.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/world/scene_length.hpp>
 
 namespace cairn {
 

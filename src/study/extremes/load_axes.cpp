@@ -1,10 +1,10 @@
 // Floor 9. Heavy on light, high stacks, long chains.
 #include <fmt/format.h>
 
-#include "study/extremes/extreme_axes.hpp"
-#include "math/list.hpp"
-#include "study/tuning/recommend_scenes.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/tuning/recommend_scenes.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn {
 

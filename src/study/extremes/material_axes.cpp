@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "study/extremes/extreme_axes.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "constraints/distance_joint.hpp"
-#include "study/extremes/extreme_axes.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
-#include "study/tuning/recommend_scenes.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/tuning/recommend_scenes.hpp>
 
 namespace cairn {
 

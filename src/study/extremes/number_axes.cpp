@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "constraints/revolute_joint.hpp"
-#include "study/extremes/extreme_axes.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,15 +3,15 @@
 
 #include <cmath>
 
-#include "constraints/distance_joint.hpp"
-#include "constraints/prismatic_joint.hpp"
-#include "constraints/revolute_joint.hpp"
-#include "constraints/weld_joint.hpp"
-#include "study/extremes/extreme_axes.hpp"
-#include "measure/trajectory.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/constraints/prismatic_joint.hpp>
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/constraints/weld_joint.hpp>
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/measure/trajectory.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "study/extremes/extreme_axes.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
-#include "study/tuning/recommend_scenes.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/tuning/recommend_scenes.hpp>
 
 namespace cairn {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "constraints/distance_joint.hpp"
-#include "study/extremes/extreme_axes.hpp"
-#include "math/check.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/distance_joint.hpp>
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "study/extremes/extreme_axes.hpp"
-#include "math/check.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/check.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

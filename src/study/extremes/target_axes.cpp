@@ -1,8 +1,8 @@
 // Floor 9. What recommended settings must reach where plain ones fall, stretch or sink.
-#include "study/extremes/extreme_axes.hpp"
-#include "math/list.hpp"
-#include "study/tuning/recommend.hpp"
-#include "study/tuning/recommend_scenes.hpp"
+#include <cairn/study/extremes/extreme_axes.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/tuning/recommend.hpp>
+#include <cairn/study/tuning/recommend_scenes.hpp>
 
 namespace cairn {
 

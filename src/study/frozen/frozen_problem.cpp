@@ -9,9 +9,9 @@
 #include <set>
 #include <string_view>
 
-#include "math/check.hpp"
-#include "study/frozen/frozen_problem.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/study/frozen/frozen_problem.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -5,8 +5,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "constraints/row.hpp"
-#include "math/list.hpp"
+#include <cairn/constraints/row.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

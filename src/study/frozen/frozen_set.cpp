@@ -1,5 +1,5 @@
 // Floor 9. The scenes of the frozen problems, and how long they run.
-#include "study/frozen/frozen_set.hpp"
+#include <cairn/study/frozen/frozen_set.hpp>
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <system_error>
 
-#include "math/check.hpp"
-#include "solvers/iterative/sequential_impulse.hpp"
-#include "validation/case_problems.hpp"
-#include "validation/case_scenes.hpp"
-#include "math/list.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/solvers/iterative/sequential_impulse.hpp>
+#include <cairn/validation/case_problems.hpp>
+#include <cairn/validation/case_scenes.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 9. The frozen problems that solvers are compared on.
 #pragma once
 
-#include "study/frozen/frozen_problem.hpp"
-#include "world/world.hpp"
-#include "math/list.hpp"
+#include <cairn/study/frozen/frozen_problem.hpp>
+#include <cairn/world/world.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -6,9 +6,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "math/check.hpp"
-#include "study/frozen/frozen_problem.hpp"
-#include "measure/whole_file.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/study/frozen/frozen_problem.hpp>
+#include <cairn/measure/whole_file.hpp>
 
 namespace cairn {
 

@@ -1,5 +1,5 @@
 // Floor 9. What must hold of a problem.
-#include "study/frozen/frozen_problem.hpp"
+#include <cairn/study/frozen/frozen_problem.hpp>
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn {
 

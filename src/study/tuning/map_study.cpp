@@ -1,5 +1,5 @@
 // Floor 9. Scenes, settings and runs of the map, and what they say.
-#include "study/tuning/map_study.hpp"
+#include <cairn/study/tuning/map_study.hpp>
 
 #include <fmt/format.h>
 
@@ -9,15 +9,15 @@
 #include <memory>
 #include <utility>
 
-#include "math/check.hpp"
-#include "measure/failure.hpp"
-#include "scenes/solver_list.hpp"
-#include "study/jitter.hpp"
-#include "study/setting_grid.hpp"
-#include "study/trade_row.hpp"
-#include "study/trial.hpp"
-#include "study/tuning/recommend_scenes.hpp"
-#include "study/tuning/tuner.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/measure/failure.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/study/jitter.hpp>
+#include <cairn/study/setting_grid.hpp>
+#include <cairn/study/trade_row.hpp>
+#include <cairn/study/trial.hpp>
+#include <cairn/study/tuning/recommend_scenes.hpp>
+#include <cairn/study/tuning/tuner.hpp>
 
 namespace cairn {
 

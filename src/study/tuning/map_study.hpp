@@ -5,11 +5,11 @@
 #include <functional>
 #include <string>
 
-#include "math/list.hpp"
-#include "measure/csv.hpp"
-#include "scenes/setting.hpp"
-#include "study/journal.hpp"
-#include "study/trajectory_study.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
+#include <cairn/scenes/setting.hpp>
+#include <cairn/study/journal.hpp>
+#include <cairn/study/trajectory_study.hpp>
 
 namespace cairn {
 

@@ -1,16 +1,16 @@
 // Floor 9. Trying settings, and what is kept of it.
-#include "study/tuning/recommend.hpp"
+#include <cairn/study/tuning/recommend.hpp>
 
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "math/check.hpp"
-#include "scenes/data_folder.hpp"
-#include "math/list.hpp"
-#include "study/build_info.hpp"
-#include "study/trade_row.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/scenes/data_folder.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/build_info.hpp>
+#include <cairn/study/trade_row.hpp>
 
 namespace cairn {
 

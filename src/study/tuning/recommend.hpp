@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
-#include "study/journal.hpp"
-#include "study/tuning/tuner.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/study/journal.hpp>
+#include <cairn/study/tuning/tuner.hpp>
 
 namespace cairn {
 

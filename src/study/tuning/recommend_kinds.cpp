@@ -1,12 +1,12 @@
 // Floor 9. The kinds of scenes, the runs that stand for each, and the settings that are tried.
 #include <fmt/format.h>
 
-#include "math/nearest.hpp"
-#include "study/setting_grid.hpp"
-#include "study/tuning/recommend.hpp"
-#include "study/tuning/recommend_scenes.hpp"
-#include "scenes/scene_list.hpp"
-#include "math/list.hpp"
+#include <cairn/math/nearest.hpp>
+#include <cairn/study/setting_grid.hpp>
+#include <cairn/study/tuning/recommend.hpp>
+#include <cairn/study/tuning/recommend_scenes.hpp>
+#include <cairn/scenes/scene_list.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -1,9 +1,9 @@
 // Floor 9. Towers, chains, piles, bullets, and boxes far off.
-#include "study/tuning/recommend_scenes.hpp"
+#include <cairn/study/tuning/recommend_scenes.hpp>
 
-#include "constraints/revolute_joint.hpp"
-#include "study/jitter.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/study/jitter.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn {
 

@@ -1,7 +1,7 @@
 // Floor 9. The scenes that recommendations and targets are tried with.
 #pragma once
 
-#include "world/scene.hpp"
+#include <cairn/world/scene.hpp>
 
 namespace cairn {
 

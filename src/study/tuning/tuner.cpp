@@ -1,5 +1,5 @@
 // Floor 9. The search for the cheapest setting.
-#include "study/tuning/tuner.hpp"
+#include <cairn/study/tuning/tuner.hpp>
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <map>
 
-#include "math/check.hpp"
-#include "math/list.hpp"
-#include "study/expectation.hpp"
-#include "study/jitter.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/study/expectation.hpp>
+#include <cairn/study/jitter.hpp>
 
 namespace cairn {
 

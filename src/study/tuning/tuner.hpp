@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
-#include "study/trial.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/study/trial.hpp>
 
 namespace cairn {
 

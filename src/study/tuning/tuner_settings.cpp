@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "scenes/solver_list.hpp"
-#include "study/setting_grid.hpp"
-#include "study/tuning/tuner.hpp"
-#include "math/list.hpp"
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/study/setting_grid.hpp>
+#include <cairn/study/tuning/tuner.hpp>
+#include <cairn/math/list.hpp>
 
 namespace cairn {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "../table.hpp"
-#include "constraints/revolute_joint.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
 #include "peer_list.hpp"
 #include "peer_tables.hpp"
 

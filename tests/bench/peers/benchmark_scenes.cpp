@@ -2,7 +2,7 @@
 // figures, no feet on them, and sharp corners. And scenes that mix what others have apart.
 #include <cmath>
 
-#include "constraints/revolute_joint.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
 #include "peer_scenes.hpp"
 
 namespace cairn::bench {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine.hpp"
-#include "reference/box2d_shapes.hpp"
+#include <cairn/reference/box2d_shapes.hpp>
 
 namespace cairn::bench {
 

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "engine.hpp"
-#include "math/check.hpp"
+#include <cairn/math/check.hpp>
 
 namespace cairn::bench {
 

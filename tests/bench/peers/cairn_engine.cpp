@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "../measure.hpp"
-#include "constraints/revolute_joint.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
 #include "engine.hpp"
-#include "math/check.hpp"
-#include "scenes/solver_list.hpp"
-#include "world/world.hpp"
+#include <cairn/math/check.hpp>
+#include <cairn/scenes/solver_list.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn::bench {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "constraints/constraint.hpp"
-#include "dynamics/body.hpp"
-#include "math/list.hpp"
-#include "scenes/setting.hpp"
-#include "world/scene.hpp"
+#include <cairn/constraints/constraint.hpp>
+#include <cairn/dynamics/body.hpp>
+#include <cairn/math/list.hpp>
+#include <cairn/scenes/setting.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn::bench {
 

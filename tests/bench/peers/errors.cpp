@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "measure/violation.hpp"
-#include "world/world.hpp"
+#include <cairn/measure/violation.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn::bench {
 

@@ -3,7 +3,7 @@
 
 #include "engine.hpp"
 #include "peer_scenes.hpp"
-#include "world/snapshot.hpp"
+#include <cairn/world/snapshot.hpp>
 
 namespace cairn::bench {
 

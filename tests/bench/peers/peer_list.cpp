@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "scenes/default_setting.hpp"
-#include "study/build_info.hpp"
+#include <cairn/scenes/default_setting.hpp>
+#include <cairn/study/build_info.hpp>
 
 namespace cairn::bench {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine.hpp"
-#include "math/list.hpp"
+#include <cairn/math/list.hpp>
 
 namespace cairn::bench {
 

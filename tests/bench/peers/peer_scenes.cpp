@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "constraints/revolute_joint.hpp"
-#include "samples/samples.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/constraints/revolute_joint.hpp>
+#include <cairn/samples/samples.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 namespace cairn::bench {
 

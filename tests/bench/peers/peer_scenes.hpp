@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "math/list.hpp"
-#include "world/scene.hpp"
+#include <cairn/math/list.hpp>
+#include <cairn/world/scene.hpp>
 
 namespace cairn::bench {
 

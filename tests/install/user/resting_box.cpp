@@ -1,7 +1,7 @@
 // A box that rests on the ground: the whole of a program that uses Cairn.
 #include <iostream>
 
-#include "cairn.hpp"
+#include <cairn/cairn.hpp>
 
 int main() {
   cairn::Scene scene;

@@ -1,8 +1,8 @@
 // The same box in Box2D.
 #include <iostream>
 
-#include "measure/violation.hpp"
-#include "reference/box2d_world.hpp"
+#include <cairn/measure/violation.hpp>
+#include <cairn/reference/box2d_world.hpp>
 
 int main() {
   cairn::Scene scene;

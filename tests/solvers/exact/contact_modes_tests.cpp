@@ -1,5 +1,5 @@
 // Small problems of contacts, all solutions of which are known.
-#include "solvers/exact/contact_modes.hpp"
+#include <cairn/solvers/exact/contact_modes.hpp>
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // Rows on the way through the interior of their bounds.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "solvers/solver_list.hpp"
 
 using namespace cairn;

@@ -1,7 +1,7 @@
 // Lemke's method on problems small enough to be solved by hand, and on many that are not.
 #include <random>
 
-#include "solvers/exact/lemke.hpp"
+#include <cairn/solvers/exact/lemke.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -1,5 +1,5 @@
 // Newton's method on piles: what rests is solved once, whatever moves beside it.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

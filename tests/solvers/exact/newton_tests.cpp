@@ -2,11 +2,11 @@
 #include <random>
 
 #include "validation/problems.hpp"
-#include "constraints/converted.hpp"
-#include "samples/samples.hpp"
-#include "solvers/exact/contact_modes.hpp"
-#include "solvers/exact/newton.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/samples/samples.hpp>
+#include <cairn/solvers/exact/contact_modes.hpp>
+#include <cairn/solvers/exact/newton.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

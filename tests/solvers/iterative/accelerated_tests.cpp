@@ -1,6 +1,6 @@
 // Gauss-Seidel with momentum: the same answers in fewer sweeps, and never by a risk.
 #include "validation/problems.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -2,8 +2,8 @@
 #include <random>
 
 #include "solvers/solver_list.hpp"
-#include "samples/samples.hpp"
-#include "validation/case_scenes.hpp"
+#include <cairn/samples/samples.hpp>
+#include <cairn/validation/case_scenes.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

@@ -2,8 +2,8 @@
 #include <Eigen/LU>
 
 #include "solvers/solver_list.hpp"
-#include "constraints/converted.hpp"
-#include "samples/samples.hpp"
+#include <cairn/constraints/converted.hpp>
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

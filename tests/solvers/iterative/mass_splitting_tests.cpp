@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "validation/problems.hpp"
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 
 using namespace cairn;
 using namespace cairn::testing;

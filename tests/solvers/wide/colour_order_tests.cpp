@@ -1,5 +1,5 @@
 // In which order colours are gone through, by what it does to a pile.
-#include "samples/samples.hpp"
+#include <cairn/samples/samples.hpp>
 #include "testing.hpp"
 
 using namespace cairn;

@@ -1,6 +1,6 @@
 // Momentum in lanes: that of AcceleratedProjectedGaussSeidel in the same order.
 #include "solvers/solver_list.hpp"
-#include "constraints/converted.hpp"
+#include <cairn/constraints/converted.hpp>
 #include "lane_grid.hpp"
 
 using namespace cairn;

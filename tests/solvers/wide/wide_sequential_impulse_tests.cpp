@@ -1,5 +1,5 @@
 // Sequential impulses in lanes: the numbers of SequentialImpulse in the same order, whatever the registers.
-#include "constraints/converted.hpp"
+#include <cairn/constraints/converted.hpp>
 #include "lane_grid.hpp"
 
 using namespace cairn;
