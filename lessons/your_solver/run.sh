@@ -49,7 +49,8 @@ make_runner() {
   if [[ -x $kept && ! $(find "$folder" "$here/../kit/output.hpp" "$here/../../src/math/list.hpp" -newer "$kept") ]]; then return; fi
   runner=$work/run_reader
   printf 'Compiling lessons/reader_code: some seconds, once.\n' >&2
-  errors=$(LC_ALL=C "$compiler" -std=c++20 -O0 -pipe -I"$here/../.." -I"$here/../../src" -o "$runner" "$folder"/*.cpp 2>&1) ||
+  ln -sfn "$here/../../src" "$work/cairn"  # headers are found as <cairn/math/list.hpp>
+  errors=$(LC_ALL=C "$compiler" -std=c++20 -O0 -pipe -I"$here/../.." -I"$work" -o "$runner" "$folder"/*.cpp 2>&1) ||
     cannot "$compiler cannot compile lessons/reader_code: $(chief_error)"
   if mkdir -p "${kept%/*}" 2>/dev/null && cp "$runner" "$kept.$$" 2>/dev/null; then mv "$kept.$$" "$kept"; fi
 }

@@ -20,7 +20,7 @@ endforeach()" COMPONENT library)
 # cairn_install_room(TARGET NAME EXPORT folders of src...): an archive with its headers, found as cairn::NAME.
 function(cairn_install_room target name export)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${header_folder}>)
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   install(TARGETS ${target} EXPORT ${export} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
   install(EXPORT ${export} NAMESPACE cairn:: DESTINATION ${package_folder} COMPONENT library)
   foreach(folder IN LISTS ARGN)

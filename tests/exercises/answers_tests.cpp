@@ -76,7 +76,7 @@ void check_program(const fs::path& folder, const List<WrongAnswer>& answers, int
   const std::string compiled_by = "cd " + in_quotes(folder.string()) + " && " CAIRN_LAUNCHER " ";
   const Ended compiled =
       run_line(compiled_by + in_quotes(CAIRN_COMPILER) +
-               " " CAIRN_ANSWER_FLAGS " -I" CAIRN_SOURCE_DIR " -I" CAIRN_SOURCE_DIR "/src -c main.cpp && " +
+               " " CAIRN_ANSWER_FLAGS " -I" CAIRN_SOURCE_DIR " -I" CAIRN_INCLUDE " -c main.cpp && " +
                in_quotes(CAIRN_COMPILER) + " " CAIRN_ANSWER_FLAGS " -o answers main.o " CAIRN_FMT);
   REQUIRE_MESSAGE(compiled.code == 0, compiled.out.substr(0, 2000));
   CHECK(answers.size() >= fewest_wrong_answers);
