@@ -29,7 +29,11 @@ struct Piece {
 
 void add_pieces(BodyId body, const Shape<double>& shape, List<Piece>& pieces) {
   const auto* chain = std::get_if<Chain<double>>(&shape);
-  if (chain == nullptr) return pieces.push_back({body, shape});
+  if (chain == nullptr) {
+    const Piece whole{.body = body, .shape = shape};
+    pieces.push_back(whole);
+    return;
+  }
   for (int i = 0; i < chain->link_count(); ++i) {
     pieces.push_back(
         {body, Segment<double>{chain->point(i), chain->point(i + 1)}, link_neighbours(*chain, i)});
