@@ -17,7 +17,7 @@ Scene peg_scene(const PegSettings& settings, double x, double peg_mass, double f
   BodySpec peg{.type = BodyType::static_body,
                .shapes = {circle(peg_radius)},
                .position = {x, -peg_radius},
-               .friction = friction};
+               .material = {.friction = friction}};
   if (peg_mass > 0) {
     peg.type = BodyType::dynamic;
     peg.mass = peg_mass;
@@ -27,7 +27,7 @@ Scene peg_scene(const PegSettings& settings, double x, double peg_mass, double f
              .position = {0, 0.5},
              .velocity = {0, -settings.speed},
              .mass = settings.mass,
-             .friction = friction});
+             .material = {.friction = friction}});
   return scene;
 }
 

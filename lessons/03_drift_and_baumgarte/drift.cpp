@@ -60,11 +60,11 @@ World<double> ball_world(const DriftSettings& settings, double slop) {
   // Wider than the way of one step, so that a falling ball stops at the surface and not below it.
   rules.speculative_margin = 2 * deepest_tried;
   Scene scene(rules);
-  scene.add_ground({.friction = 0});
+  scene.add_ground({.material = {.friction = 0}});
   scene.add({.shapes = {circle(ball_radius)},
              .position = {0, ball_radius - settings.depth},
              .mass = 1,
-             .friction = 0,
+             .material = {.friction = 0},
              .fixed_rotation = true});
   return World<double>(scene);
 }

@@ -37,13 +37,13 @@ void move_rod(const SweepSettings& settings, RodRun& run) {
   for (const double x : {0.02, settings.support}) {
     scene.add({.type = BodyType::static_body,
                .shapes = {polygon({{x - 0.16, -0.6}, {x + 0.16, -0.6}, {x, 0}})},
-               .friction = 1});
+               .material = {.friction = 1}});
   }
   scene.add({.shapes = {box(rod_length, 0.1)},
              .position = {rod_length / 2, 0.05},
              .mass = rod_mass,
              .inertia = rod_inertia,
-             .friction = 1});
+             .material = {.friction = 1}});
   World world(scene);
   SequentialImpulse solver({.iterations = 100});
   run.snapshot = snapshot(world);

@@ -23,14 +23,14 @@ Scene box_on_feet(const Pair& foot, double speed) {
                .dt = time_step,
                .stabilization = {.policy = StabilizationPolicy::baumgarte},
                .warm_start = false});
-  scene.add_ground({.friction = 0});
+  scene.add_ground({.material = {.friction = 0}});
   scene.add({.shapes = {circle(radius, {foot[0], -0.5 - leg}), circle(radius, {foot[1], -0.5 - leg}),
                         circle(radius, {-foot[0], 0.5 + leg}), circle(radius, {-foot[1], 0.5 + leg})},
              .position = {0, 0.5 + leg + radius},
              .velocity = {0, -speed},
              .mass = box_mass,
              .inertia = box_inertia,
-             .friction = 0});
+             .material = {.friction = 0}});
   return scene;
 }
 

@@ -16,13 +16,19 @@ Scene tower(const StartSettings& settings, Guest guest, bool warm_start = false)
                .dt = settings.dt,
                .stabilization = {.policy = StabilizationPolicy::baumgarte, .baumgarte = 0},
                .warm_start = warm_start});
-  scene.add_ground({.friction = 0});
+  scene.add_ground({.material = {.friction = 0}});
   if (guest == Guest::ball) {
-    scene.add({.shapes = {circle(0.4)}, .position = {-1.6, 0.6}, .mass = 1, .friction = 0, .restitution = 1});
+    scene.add({.shapes = {circle(0.4)},
+               .position = {-1.6, 0.6},
+               .mass = 1,
+               .material = {.friction = 0, .restitution = 1}});
   }
   for (int i = 0; i < settings.boxes; ++i) {
-    scene.add(
-        {.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1, .friction = 0, .fixed_rotation = true});
+    scene.add({.shapes = {box(1, 1)},
+               .position = {0, 0.5 + i},
+               .mass = 1,
+               .material = {.friction = 0},
+               .fixed_rotation = true});
   }
   return scene;
 }

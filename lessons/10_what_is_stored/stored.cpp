@@ -73,12 +73,12 @@ PairCase pair_case(const std::string& title, const List<CaseBody>& bodies,
 
 Scene pyramid_scene(int base, double spacing) {
   Scene scene({.gravity = {0, -10}, .dt = 0.02, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
-  scene.add_ground({.friction = 0});
+  scene.add_ground({.material = {.friction = 0}});
   for (int row = 0; row < base; ++row) {
     const int boxes = base - row;
     for (int i = 0; i < boxes; ++i) {
       const double x = spacing * (i - 0.5 * (boxes - 1));
-      scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + row}, .mass = 1, .friction = 0});
+      scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + row}, .mass = 1, .material = {.friction = 0}});
     }
   }
   return scene;
@@ -88,11 +88,11 @@ Scene tray_scene(int boxes) {
   Scene scene({.gravity = {0, -10}, .dt = 0.02, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   constexpr double pitch = 1.25;  // [m]
   const double width = pitch * boxes;
-  scene.add_ground({.half_width = width, .friction = 0});
-  scene.add({.shapes = {box(width, 0.5)}, .position = {0, 0.25}, .mass = 1, .friction = 0});
+  scene.add_ground({.half_width = width, .material = {.friction = 0}});
+  scene.add({.shapes = {box(width, 0.5)}, .position = {0, 0.25}, .mass = 1, .material = {.friction = 0}});
   for (int i = 0; i < boxes; ++i) {
     const double x = pitch * (i - 0.5 * (boxes - 1));
-    scene.add({.shapes = {box(1, 1)}, .position = {x, 1}, .mass = 1, .friction = 0});
+    scene.add({.shapes = {box(1, 1)}, .position = {x, 1}, .mass = 1, .material = {.friction = 0}});
   }
   return scene;
 }

@@ -14,8 +14,9 @@ Scene slope_scene(const Slope& slope, const List<Block>& blocks) {
                .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   const Vec2<double> foot(slope.length * std::cos(slope.angle), 0);
   const Vec2<double> top(0, slope.length * std::sin(slope.angle));
-  scene.add(
-      {.type = BodyType::static_body, .shapes = {polygon({Vec2<double>(0, 0), foot, top})}, .friction = 1});
+  scene.add({.type = BodyType::static_body,
+             .shapes = {polygon({Vec2<double>(0, 0), foot, top})},
+             .material = {.friction = 1}});
   for (const Block& block : blocks) {
     const Vec2<double> centre = top + block.from_top * slope.downhill() + 0.5 * slope.normal();
     // A pair's mu is sqrt(mu_a mu_b), and the slope's is 1.
@@ -24,7 +25,7 @@ Scene slope_scene(const Slope& slope, const List<Block>& blocks) {
                .position = centre,
                .angle = -slope.angle,
                .mass = block.mass,
-               .friction = friction});
+               .material = {.friction = friction}});
   }
   return scene;
 }

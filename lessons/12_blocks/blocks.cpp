@@ -90,7 +90,7 @@ ChainRun run_tower(double dt) {
       {.gravity = {0, -gravity}, .dt = dt, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
   for (int i = 0; i < boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}, .mass = 1, .friction = 0});
+    scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}, .mass = 1, .material = {.friction = 0}});
   const World<double> world(scene);
   const VelocityProblem<double> problem = world.velocity_problem();
   Vector<double> exact = Vector<double>::Zero(problem.row_count());

@@ -96,9 +96,16 @@ double friction_gap() {
   Scene scene(
       {.gravity = {0, -gravity}, .dt = 0.02, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
-  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {1, -2}, .mass = 2, .friction = 0.5});
-  scene.add(
-      {.shapes = {box(1, 1)}, .position = {0.2, 1.5}, .velocity = {-3, -1}, .mass = 0.5, .friction = 0.5});
+  scene.add({.shapes = {box(1, 1)},
+             .position = {0, 0.5},
+             .velocity = {1, -2},
+             .mass = 2,
+             .material = {.friction = 0.5}});
+  scene.add({.shapes = {box(1, 1)},
+             .position = {0.2, 1.5},
+             .velocity = {-3, -1},
+             .mass = 0.5,
+             .material = {.friction = 0.5}});
   VelocityProblem<double> problem = World<double>(scene).velocity_problem();
   problem.velocity[{problem.body_count() - 1}].z() = 3;
   double gap = 0;

@@ -211,7 +211,7 @@ VelocityProblem<double> rope_and_tower(const PulleySettings& settings) {
   Scene scene = pulley_scene(settings);
   scene.add_ground();
   for (int i = 0; i < tower_boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {20, i + 0.5}, .mass = 2, .friction = 0.5});
+    scene.add({.shapes = {box(1, 1)}, .position = {20, i + 0.5}, .mass = 2, .material = {.friction = 0.5}});
   return World<double>(scene).velocity_problem();
 }
 

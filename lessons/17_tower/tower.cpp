@@ -30,12 +30,12 @@ Scene tower_scene(const TowerSettings& settings) {
                .stabilization = {.policy = StabilizationPolicy::baumgarte,
                                  .baumgarte = 0},  // Box2D has no such term in its velocities
                .warm_start = settings.warm_start});
-  scene.add_ground({.friction = 0.6});
+  scene.add_ground({.material = {.friction = 0.6}});
   for (int i = 0; i < settings.boxes; ++i) {
     scene.add({.shapes = {box(1, 1)},
                .position = {0, 0.5 + i},
                .mass = 1,
-               .friction = 0.6,
+               .material = {.friction = 0.6},
                .fixed_rotation = true});
   }
   return scene;

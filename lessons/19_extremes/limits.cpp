@@ -91,7 +91,7 @@ List<Refusal> try_bad_input() {
          const BodyId body = scene.add({.shapes = {shape}});
          scene.join<DistanceJoint>({.a = ground, .b = body});
        }},
-      {"friction below 0", [&] { Scene().add({.shapes = {shape}, .friction = -0.1}); }}};
+      {"friction below 0", [&] { Scene().add({.shapes = {shape}, .material = {.friction = -0.1}}); }}};
   List<Refusal> refusals;
   for (const auto& attempt : attempts) refusals.push_back({attempt.first, message_of(attempt.second)});
   return refusals;

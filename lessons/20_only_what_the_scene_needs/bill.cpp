@@ -14,19 +14,23 @@ void add_pyramid(Scene& scene, double friction) {
   for (int row = 0; row < base; ++row) {
     for (int i = 0; i < base - row; ++i) {
       const double x = (i - 0.5 * (base - row - 1)) * pitch;
-      scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + row}, .mass = 1, .friction = friction});
+      scene.add(
+          {.shapes = {box(1, 1)}, .position = {x, 0.5 + row}, .mass = 1, .material = {.friction = friction}});
     }
   }
   scene.add({.shapes = {circle(0.4)},
              .position = {-9, 1},
              .velocity = {4.5, 9},
              .mass = 0.5,
-             .friction = friction});
+             .material = {.friction = friction}});
 }
 
 void add_tower(Scene& scene, int boxes, double friction) {
   for (int i = 0; i < boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {tower_at, 0.5 + i}, .mass = 1, .friction = friction});
+    scene.add({.shapes = {box(1, 1)},
+               .position = {tower_at, 0.5 + i},
+               .mass = 1,
+               .material = {.friction = friction}});
 }
 
 /// Level at first; its links do not touch each other.
@@ -37,7 +41,7 @@ void add_chain(Scene& scene, int links) {
     const BodyId body = scene.add({.shapes = {box(link, 0.2)},
                                    .position = {chain_at + (i + 0.5) * link, height},
                                    .mass = 1,
-                                   .collides_with = 0});
+                                   .filter = {.collides_with = 0}});
     scene.join<RevoluteJoint>({.a = above, .b = body, .anchor = {chain_at + i * link, height}});
     above = body;
   }
@@ -86,7 +90,7 @@ Scene scene_of(const NeedsSettings& settings, const Switches& switches, const Li
                       .friction_rows = switches.friction_rows};
   if (switches.sleeps) rules.sleeping = Sleeping{};
   Scene scene(rules);
-  scene.add_ground({.friction = switches.friction});
+  scene.add_ground({.material = {.friction = switches.friction}});
   // [/switches]
   for (const Thing thing : things) {
     if (thing == Thing::pyramid_and_ball) add_pyramid(scene, switches.friction);

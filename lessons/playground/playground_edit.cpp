@@ -54,7 +54,7 @@ void Playground::give_materials(Scene& scene, const Scene& start, const PerBody<
     if (body == ground) continue;
     const SceneBody& original = start.bodies()[*own];
     BodySpec spec = scene.bodies()[body].spec;
-    spec.friction = controls.friction.value_or(original.spec.friction);
+    spec.material.friction = controls.friction.value_or(original.spec.material.friction);
     spec.mass = original.spec.mass;
     if (*own == heaviest && *own != ground && controls.mass_ratio != 1)
       spec.mass = original.mass * controls.mass_ratio;

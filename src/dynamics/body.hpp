@@ -1,6 +1,8 @@
 // Floor 2. Bodies: who they are, and their state as the paper's v (1) and the diagonal of M^-1 (2).
 #pragma once
 
+#include <cstdint>
+
 #include <compare>
 
 #include <cairn/math/list.hpp>
@@ -32,10 +34,17 @@ inline constexpr BodyId ground = {0};
 /// forces.
 enum class BodyType { static_body, kinematic, dynamic };
 
-/// Whether two bodies, each with a category and the categories it collides with, may touch: neither has
-/// excluded the other's category.
-template <typename Body>
-bool may_touch(const Body& a, const Body& b) {
+/// With which others a body collides.
+struct CollisionFilter {
+  std::uint32_t category = 1;         // bits: what it is
+  std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's
+
+  /// Member by member.
+  bool operator==(const CollisionFilter&) const = default;
+};
+
+/// Whether bodies with these filters may touch: neither has excluded the other's category.
+inline bool may_touch(const CollisionFilter& a, const CollisionFilter& b) {
   return (a.category & b.collides_with) != 0 && (b.category & a.collides_with) != 0;
 }
 

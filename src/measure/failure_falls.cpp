@@ -54,8 +54,8 @@ bool has_floor(const Snapshot& start, const SnapshotBody& body) {
   const Vec2<double> up = upwards(start), along = perpendicular(up);
   const Reach height = reach_of(body, up), width = reach_of(body, along);
   return std::any_of(start.bodies.begin(), start.bodies.end(), [&](const SnapshotBody& other) {
-    return stands_still(other) && may_touch(body, other) && reach_of(other, along).meets(width) &&
-           reach_of(other, up).low < height.middle();
+    return stands_still(other) && may_touch(body.filter, other.filter) &&
+           reach_of(other, along).meets(width) && reach_of(other, up).low < height.middle();
   });
 }
 
@@ -111,7 +111,7 @@ void FailureWatch::see_begin(const Snapshot& start) {
   std::optional<HeldBodies> held;
   for (const BodyId id : start.bodies.indices()) {
     const SnapshotBody& body = start.bodies[id];
-    if (!can_fall(body) || has_floor_[id] || !may_touch(body, floor)) continue;
+    if (!can_fall(body) || has_floor_[id] || !may_touch(body.filter, floor.filter)) continue;
     const double high = reach_of(body, up).high;
     if (!(high < top) || !reach_of(body, along).meets(reach_of(floor, along))) continue;
     if (!held) held.emplace(start);

@@ -117,7 +117,8 @@ List<Overlap> overlaps(const Snapshot& snapshot) {
     const Piece& b = items[j];
     const SnapshotBody& body_a = snapshot.bodies[a.body];
     const SnapshotBody& body_b = snapshot.bodies[b.body];
-    if (a.body == b.body || !may_touch(body_a, body_b) || is_apart(snapshot, a.body, b.body)) continue;
+    if (a.body == b.body || !may_touch(body_a.filter, body_b.filter) || is_apart(snapshot, a.body, b.body))
+      continue;
     Overlap overlap;
     keep_deeper(snapshot, a, b, overlap);
     if (overlap.depth > 0) found.push_back(overlap);

@@ -32,8 +32,8 @@ b2Body* create_body(b2World& world, const SceneBody& body) {
   definition.angle = static_cast<float>(body.pose.angle);
   definition.linearVelocity = to_box2d(spec.velocity);
   definition.angularVelocity = static_cast<float>(spec.angular_velocity);
-  definition.linearDamping = static_cast<float>(spec.linear_damping);
-  definition.angularDamping = static_cast<float>(spec.angular_damping);
+  definition.linearDamping = static_cast<float>(spec.damping.linear);
+  definition.angularDamping = static_cast<float>(spec.damping.angular);
   definition.gravityScale = static_cast<float>(spec.gravity_scale);
   definition.fixedRotation = spec.fixed_rotation;
   return world.CreateBody(&definition);
@@ -43,11 +43,11 @@ b2Body* create_body(b2World& world, const SceneBody& body) {
 void create_fixtures(b2Body& body, const Shape<double>& shape, const BodySpec& spec, double threshold,
                      int collider) {
   b2FixtureDef definition;
-  definition.friction = static_cast<float>(spec.friction);
-  definition.restitution = static_cast<float>(spec.restitution);
+  definition.friction = static_cast<float>(spec.material.friction);
+  definition.restitution = static_cast<float>(spec.material.restitution);
   definition.restitutionThreshold = static_cast<float>(threshold);
-  definition.filter.categoryBits = static_cast<uint16>(spec.category);
-  definition.filter.maskBits = static_cast<uint16>(spec.collides_with & box2d_filter_bits);
+  definition.filter.categoryBits = static_cast<uint16>(spec.filter.category);
+  definition.filter.maskBits = static_cast<uint16>(spec.filter.collides_with & box2d_filter_bits);
   const List<std::unique_ptr<b2Shape>> parts = to_box2d(shape);
   for (int i = 0; i < parts.size(); ++i) {
     definition.shape = parts[i].get();
@@ -85,8 +85,8 @@ double drift(const Constraint& joint, const PerBody<Pose<double>>& poses) {
 /// What this world of Box2D would ignore, and so must not be given.
 void check_contacts_of(const BodySpec& spec) {
   require(!spec.sensor, "Box2DWorld", "sensor", "false: sensors are not taken over", "true");
-  require(spec.category <= box2d_filter_bits, "Box2DWorld", "category",
-          "of the first 16 bits, as Box2D 2.4.1 has no more", spec.category);
+  require(spec.filter.category <= box2d_filter_bits, "Box2DWorld", "category",
+          "of the first 16 bits, as Box2D 2.4.1 has no more", spec.filter.category);
 }
 
 void check_event(const SceneEvent& event) {

@@ -36,7 +36,7 @@ inline List<BodyId> add_stack(Scene& scene, int boxes, const BodySpec& lowest = 
 /// The same on a ground of its own; friction is that of the boxes.
 inline Scene stack(int boxes, const SceneSettings& settings = {}, const BodySpec& lowest = standing_box()) {
   Scene scene(settings);
-  scene.add_ground({.friction = lowest.friction});
+  scene.add_ground({.material = {.friction = lowest.material.friction}});
   add_stack(scene, boxes, lowest);
   return scene;
 }
@@ -73,7 +73,7 @@ inline void add_pyramid(Scene& scene, Pyramid pyramid) {
 /// On a ground of its own.
 inline Scene pyramid(const Pyramid& pyramid, const SceneSettings& settings = {}) {
   Scene scene(settings);
-  scene.add_ground({.friction = pyramid.box.friction});
+  scene.add_ground({.material = {.friction = pyramid.box.material.friction}});
   add_pyramid(scene, pyramid);
   return scene;
 }

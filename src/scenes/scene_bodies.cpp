@@ -20,9 +20,9 @@ std::string shape_key(const SceneTable& table) {
 }
 
 ChainEnds chain_ends(const SceneTable& table) {
-  ChainEnds ends{.closed = table.flag("closed")};
+  ChainEnds ends{.closed = table.get<bool>("closed")};
   if (!table.has("ghosts")) return ends;
-  const List<Vec2<double>> ghosts = table.points("ghosts");
+  const List<Vec2<double>> ghosts = table.get<List<Vec2<double>>>("ghosts");
   if (ghosts.size() != 2) table.refuse("ghosts", "two points [[x, y], [x, y]], before and after the chain");
   ends.before = ghosts[0];
   ends.after = ghosts[1];
@@ -30,10 +30,11 @@ ChainEnds chain_ends(const SceneTable& table) {
 }
 
 Shape<double> make_scene_shape(const SceneTable& table, const std::string& key) {
-  const double radius = table.number("radius");
-  if (key == "circle") return circle(table.number("circle"));
-  if (key == "box") return box(table.point("box").x(), table.point("box").y(), radius);
-  const List<Vec2<double>> points = table.points(key);
+  const double radius = table.get<double>("radius");
+  if (key == "circle") return circle(table.get<double>("circle"));
+  if (key == "box")
+    return box(table.get<Vec2<double>>("box").x(), table.get<Vec2<double>>("box").y(), radius);
+  const List<Vec2<double>> points = table.get<List<Vec2<double>>>(key);
   if (key == "polygon") return polygon(points, radius);
   if (key == "chain") return chain(points, chain_ends(table));
   if (points.size() != 2) table.refuse(key, "two points [[x, y], [x, y]]");
@@ -52,7 +53,8 @@ void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
     if (shape.empty())
       part.refuse("", "a shape: box, circle, capsule, polygon, segment or chain", "none of them");
     const bool is_moved = part.has("offset") || part.has("turn");
-    spec.shapes.push_back(is_moved ? moved(shape[0], part.point("offset"), part.number("turn")) : shape[0]);
+    spec.shapes.push_back(
+        is_moved ? moved(shape[0], part.get<Vec2<double>>("offset"), part.get<double>("turn")) : shape[0]);
   }
   const BodyId body = builder.add(
       table, spec, table.has("name") ? builder.claim_name(table, "") : "body." + std::to_string(number));

@@ -56,7 +56,7 @@ void SceneBuilder::require_movable(const SceneTable& table, const Constraint& jo
 
 SwingSoftness SceneBuilder::spring_of(const SceneTable& table) const {
   if (table.has("softness")) table.refuse("frequency", "left out where there is a softness");
-  return {.frequency = table.number("frequency"), .damping_ratio = table.number("damping_ratio")};
+  return {.frequency = table.get<double>("frequency"), .damping_ratio = table.get<double>("damping_ratio")};
 }
 
 void SceneBuilder::finish() {
@@ -74,8 +74,10 @@ void SceneBuilder::add(const SceneTable& table, const SceneEvent& event) {
 
 void SceneBuilder::displace(const SceneTable& table, BodyId body) {
   last_.push_back([this, table, body] {
-    table.guard(
-        [&] { cairn::displace(scene_, body, table.point("displaced"), table.number("displaced_angle")); });
+    table.guard([&] {
+      cairn::displace(scene_, body, table.get<Vec2<double>>("displaced"),
+                      table.get<double>("displaced_angle"));
+    });
   });
 }
 

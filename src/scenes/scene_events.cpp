@@ -44,7 +44,7 @@ class EventReader {
     const SceneAction action = kind == "remove" ? removal(table)
                                : kind == "push" ? push(table)
                                                 : motor(table);
-    const SceneEvent event{.time = table.number("time"), .action = action};
+    const SceneEvent event{.time = table.get<double>("time"), .action = action};
     builder_.add(table, event);
     then_.add({.time = 0, .action = action});
     then_.do_events(0);
@@ -65,8 +65,9 @@ class EventReader {
     if (pushed.spec.type != BodyType::dynamic) table.refuse("push", "the name of a dynamic body");
     if (!table.has("impulse")) table.refuse("impulse", "given for a push: impulse = [1, 0]");
     const Pose<double>& begins = builder_.poses()[body];
-    const Vec2<double> point = table.has("point") ? table.point("point") : begins.position;
-    return PushBody{.body = body, .impulse = table.point("impulse"), .point = begins.local(point)};
+    const Vec2<double> point = table.has("point") ? table.get<Vec2<double>>("point") : begins.position;
+    return PushBody{
+        .body = body, .impulse = table.get<Vec2<double>>("impulse"), .point = begins.local(point)};
   }
 
   SceneAction motor(const SceneTable& table) {
@@ -78,11 +79,11 @@ class EventReader {
     const std::string most = turns ? "max_torque" : "max_force", other = turns ? "max_force" : "max_torque";
     if (table.has(other)) table.refuse(other, most + " for a " + joint.name() + " joint");
     const bool changes = table.has("speed") || table.has(most);
-    if (table.flag("off") == changes)
+    if (table.get<bool>("off") == changes)
       table.refuse("off", "true, or else there is a speed or a " + most, changes ? "both" : "neither");
     if (!changes) return SwitchMotor{.joint = id};
-    if (table.has("speed")) motors_[id].speed = table.number("speed");
-    if (table.has(most)) motors_[id].max_force = table.number(most);
+    if (table.has("speed")) motors_[id].speed = table.get<double>("speed");
+    if (table.has(most)) motors_[id].max_force = table.get<double>(most);
     return SwitchMotor{.joint = id, .motor = motors_[id]};
   }
 
@@ -112,13 +113,13 @@ class EventReader {
 void build_events(SceneBuilder& builder, const SceneTable& file) {
   List<SceneTable> events = file.tables("event");
   if (events.empty()) return;
-  const double end = file.number("seconds");
+  const double end = file.get<double>("seconds");
   for (const SceneTable& event : events) {
-    if (event.number("time") < end) continue;
+    if (event.get<double>("time") < end) continue;
     event.refuse("time", "before the end of the scene, which is at " + shortest(end) + " s");
   }
   std::stable_sort(events.begin(), events.end(), [](const SceneTable& one, const SceneTable& other) {
-    return one.number("time") < other.number("time");
+    return one.get<double>("time") < other.get<double>("time");
   });
   EventReader reader(builder);
   for (const SceneTable& event : events) reader.read(event);

@@ -17,15 +17,11 @@ void read_value(const SceneTable& table, const std::string& key, Value& value) {
   if constexpr (requires { value.has_value(); }) {
     read_value(table, key, value.emplace());
   } else if constexpr (std::is_enum_v<Value>) {
-    value = value_of<Value>(table.text(key));
-  } else if constexpr (std::same_as<Value, bool>) {
-    value = table.flag(key);
-  } else if constexpr (std::same_as<Value, std::string>) {
-    value = table.text(key);
-  } else if constexpr (std::same_as<Value, Vec2<double>>) {
-    value = table.point(key);
+    value = value_of<Value>(table.get<std::string>(key));
+  } else if constexpr (std::is_arithmetic_v<Value> && !std::same_as<Value, bool>) {
+    value = static_cast<Value>(table.get<double>(key));
   } else {
-    value = static_cast<Value>(table.number(key));
+    value = table.get<Value>(key);
   }
 }
 

@@ -26,14 +26,14 @@ struct ChainPlan {
 };
 
 ChainPlan plan_chain(const SceneTable& table, const std::string& name) {
-  ChainPlan plan{.name = name, .n = table.integer("n"), .joint = table.text("joint")};
-  plan.from = table.point("from");
+  ChainPlan plan{.name = name, .n = table.get<int>("n"), .joint = table.get<std::string>("joint")};
+  plan.from = table.get<Vec2<double>>("from");
   plan.is_fastened = table.has("b");
   if (table.has("to")) {
     for (const char* key : {"link", "angle"}) {
       if (table.has(key)) table.refuse(key, "left out where the chain has an end, to");
     }
-    const Vec2<double> way = table.point("to") - plan.from;
+    const Vec2<double> way = table.get<Vec2<double>>("to") - plan.from;
     if (!(way.norm() > 0)) table.refuse("to", "a point other than from", "the same");
     plan.along = way / way.norm();
     plan.angle = arc_tangent(plan.along.y(), plan.along.x());
@@ -41,9 +41,9 @@ ChainPlan plan_chain(const SceneTable& table, const std::string& name) {
   } else {
     if (!table.has("link"))
       table.refuse("link", "given, or else to, so that the chain has a length", "neither");
-    plan.angle = table.number("angle");
+    plan.angle = table.get<double>("angle");
     plan.along = {sine(plan.angle), -cosine(plan.angle)};
-    plan.link = table.number("link");
+    plan.link = table.get<double>("link");
   }
   return plan;
 }
@@ -56,7 +56,7 @@ Vec2<double> chain_place(const SceneTable& table, const ChainPlan& plan, int i) 
   const double x = (i + 1) * plan.link - half;  // [m] along the chain, from its middle
   Vec2<double> place = plan.from + (i + 1) * plan.link * plan.along;
   if (table.has("aside")) {
-    place += table.number("aside") * (1 - std::abs(x) / half) * perpendicular(plan.along);
+    place += table.get<double>("aside") * (1 - std::abs(x) / half) * perpendicular(plan.along);
   }
   return place;
 }
@@ -81,21 +81,21 @@ void join_chain(SceneBuilder& builder, const SceneTable& table, const ChainPlan&
   }
   if (!plan.is_fastened) return;
   ends.b = builder.names().body(table, "b");
-  ends.anchor_b =
-      table.has("to") ? table.point("to") : Vec2<double>(plan.from + plan.n * plan.link * plan.along);
+  ends.anchor_b = table.has("to") ? table.get<Vec2<double>>("to")
+                                  : Vec2<double>(plan.from + plan.n * plan.link * plan.along);
   if (plan.meets()) ends.anchor_a = ends.anchor_b;
   join_links(builder, table, chain_joint_name(plan, plan.n), ends);
 }
 
 void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& plan, BodyId last,
                const std::string& name) {
-  const double radius = bob.number("radius");
+  const double radius = bob.get<double>("radius");
   const Vec2<double> end = plan.from + plan.n * plan.link * plan.along;
   BodySpec spec = body_of(bob);
   spec.shapes = {circle(radius)};
   spec.position = end + radius * plan.along;
   spec.angle = plan.angle;
-  if (bob.has("ratio")) spec.mass = bob.number("ratio") * builder.scene().bodies()[last].mass;
+  if (bob.has("ratio")) spec.mass = bob.get<double>("ratio") * builder.scene().bodies()[last].mass;
   const BodyId body = builder.add(bob, spec, name);
   builder.later([&builder, bob, joint = chain_joint_name(plan, plan.n), last, body, end] {
     builder.join<RevoluteJoint>(bob, joint, {.a = last, .b = body, .anchor = end});
@@ -106,26 +106,27 @@ void build_bob(SceneBuilder& builder, const SceneTable& bob, const ChainPlan& pl
 
 void join_links(SceneBuilder& builder, const SceneTable& table, const std::string& name,
                 DistanceJoint::Spec ends) {
-  const std::string joint = table.text("joint");
+  const std::string joint = table.get<std::string>("joint");
   if (joint == "pin")
     return builder.join<RevoluteJoint>(table, name, {.a = ends.a, .b = ends.b, .anchor = ends.anchor_a});
   if (joint == "weld")
     return builder.join<WeldJoint>(table, name, {.a = ends.a, .b = ends.b, .anchor = ends.anchor_a});
   ends.kind = value_of<DistanceJoint::Kind>(joint);
-  if (table.has("length")) ends.length = table.number("length");
+  if (table.has("length")) ends.length = table.get<double>("length");
   if (table.has("softness")) ends.softness = softness_of(table);
   builder.join<DistanceJoint>(table, name, ends);
 }
 
 void build_cradle(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  const Vec2<double> middle = table.point("position");
-  const double radius = table.number("radius"), rod = table.number("rod");
-  const int n = table.integer("n");
+  const Vec2<double> middle = table.get<Vec2<double>>("position");
+  const double radius = table.get<double>("radius"), rod = table.get<double>("rod");
+  const int n = table.get<int>("n");
   BodySpec spec = body_of(table);
   spec.shapes = {circle(radius)};
   for (int i = 0; i < n; ++i) {
-    const Vec2<double> top(middle.x() + (2 * radius + table.number("gap")) * (i - 0.5 * (n - 1)), middle.y());
-    const double aside = i == 0 ? table.number("aside") : 0;  // [rad]
+    const Vec2<double> top(middle.x() + (2 * radius + table.get<double>("gap")) * (i - 0.5 * (n - 1)),
+                           middle.y());
+    const double aside = i == 0 ? table.get<double>("aside") : 0;  // [rad]
     const Vec2<double> place = top + rod * Vec2<double>(sine(aside), -cosine(aside));
     spec.position = place;
     const BodyId ball = builder.add(table, spec, numbered(name, i));
@@ -144,7 +145,7 @@ void build_chain(SceneBuilder& builder, const SceneTable& table, const std::stri
     table.refuse("joint", "pin or weld, unless its bodies have a shape: box, circle, ...");
   }
   if (spec.shapes.empty()) {
-    const double thick = table.number("thickness");
+    const double thick = table.get<double>("thickness");
     table.guard([&] { spec.shapes = {table.has("to") ? box(plan.link, thick) : box(thick, plan.link)}; });
   }
   spec.angle = plan.angle;

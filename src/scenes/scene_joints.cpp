@@ -30,10 +30,12 @@ struct ScenePair {
   BodyId a = ground;
   BodyId b = {};
 
-  Vec2<double> anchor() const { return table.has("anchor") ? table.point("anchor") : center_of(builder, b); }
+  Vec2<double> anchor() const {
+    return table.has("anchor") ? table.get<Vec2<double>>("anchor") : center_of(builder, b);
+  }
   template <typename Joint>
   void join(const typename Joint::Spec& spec) const {
-    builder.join<Joint>(table, name, spec, value_of<JointCollision>(table.text("collide")));
+    builder.join<Joint>(table, name, spec, value_of<JointCollision>(table.get<std::string>("collide")));
   }
 };
 
@@ -115,7 +117,7 @@ void join_pulley(SceneBuilder& builder, const SceneTable& table, const std::stri
     spec.ends.push_back(end);
   }
   table.read(spec);
-  builder.join<PulleyJoint>(table, name, spec, value_of<JointCollision>(table.text("collide")));
+  builder.join<PulleyJoint>(table, name, spec, value_of<JointCollision>(table.get<std::string>("collide")));
 }
 
 using ScenePairJoiner = void (*)(const ScenePair&);
@@ -131,7 +133,7 @@ void join_from(SceneBuilder& builder, const SceneTable& table, const std::string
     table.refuse("damping_ratio", "left out, or else given beside a frequency");
   if (table.kind() == "pulley") return join_pulley(builder, table, name);
   const BodyId a = table.kind() == "drag" ? ground : builder.names().body(table, "a");
-  const bool is_row = table.text("b").ends_with(".*");
+  const bool is_row = table.get<std::string>("b").ends_with(".*");
   int count = 0;
   for (const BodyId b : builder.names().bodies(table, "b")) {
     const std::string number = is_row ? "." + std::to_string(++count) : "";
@@ -144,7 +146,7 @@ std::string joint_kind(const SceneContext& context, const SceneValue& value, con
   SceneValue alone;
   alone.mark = value.mark;
   if (const SceneValue* type = value.find("type")) alone.items = {*type};
-  return SceneTable(context, alone, "joint", path).text("type");
+  return SceneTable(context, alone, "joint", path).get<std::string>("type");
 }
 
 }  // namespace
@@ -157,11 +159,11 @@ std::optional<Softness> softness_of(const SceneTable& table) {
                   "neither, or some of both");
     }
     if (swings) {
-      return SwingSoftness{.frequency = soft.number("frequency"),
-                           .damping_ratio = soft.number("damping_ratio")};
+      return SwingSoftness{.frequency = soft.get<double>("frequency"),
+                           .damping_ratio = soft.get<double>("damping_ratio")};
     }
-    return SpringSoftness{.stiffness = soft.has("stiffness") ? soft.number("stiffness") : 0,
-                          .damping = soft.number("damping")};
+    return SpringSoftness{.stiffness = soft.has("stiffness") ? soft.get<double>("stiffness") : 0,
+                          .damping = soft.get<double>("damping")};
   }
   return std::nullopt;
 }

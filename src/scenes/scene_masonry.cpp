@@ -6,12 +6,12 @@
 namespace cairn {
 
 void build_arch(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  const double radius = table.number("radius"), thickness = table.number("thickness");
+  const double radius = table.get<double>("radius"), thickness = table.get<double>("thickness");
   const double inner = radius - thickness / 2, outer = radius + thickness / 2;
   if (!(inner > 0)) table.refuse("thickness", "less than twice the radius");
-  const int stones = table.integer("n");
+  const int stones = table.get<int>("n");
   BodySpec spec = body_of(table);
-  spec.position = table.point("position");
+  spec.position = table.get<Vec2<double>>("position");
   for (int i = 0; i < stones; ++i) {
     const double from = i * pi / stones, to = (i + 1) * pi / stones;  // [rad]
     const Vec2<double> start(cosine(from), sine(from)), end(cosine(to), sine(to));
@@ -21,9 +21,9 @@ void build_arch(SceneBuilder& builder, const SceneTable& table, const std::strin
 }
 
 void build_dominoes(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  const Vec2<double> foot = table.point("position"), size = table.point("box");
-  const double lean = table.number("lean"), step = table.number("step");
-  const int n = table.integer("n");
+  const Vec2<double> foot = table.get<Vec2<double>>("position"), size = table.get<Vec2<double>>("box");
+  const double lean = table.get<double>("lean"), step = table.get<double>("step");
+  const int n = table.get<int>("n");
   BodySpec spec = body_of(table);
   table.guard([&] { spec.shapes = {box(size.x(), size.y())}; });
   for (int i = 0; i < n; ++i) {
@@ -39,12 +39,12 @@ void build_dominoes(SceneBuilder& builder, const SceneTable& table, const std::s
 }
 
 void build_cards(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  const Vec2<double> foot = table.point("position"), card = table.point("card");
-  const double lean = table.number("lean"), board = table.number("board");
+  const Vec2<double> foot = table.get<Vec2<double>>("position"), card = table.get<Vec2<double>>("card");
+  const double lean = table.get<double>("lean"), board = table.get<double>("board");
   const double thick = card.x(), height = card.y(), c = cosine(lean), s = sine(lean);
   const double half_pair = height * s + thick * c;  // [m] from the middle of a pair to its outermost point
   const double pitch = 2 * half_pair + 0.1;
-  const int storeys = table.integer("n");
+  const int storeys = table.get<int>("n");
   BodySpec spec = body_of(table);
   int count = 0;
   const auto add = [&](double width, double high, const Vec2<double>& center, double angle) {

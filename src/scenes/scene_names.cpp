@@ -28,7 +28,7 @@ std::string names_rule(const std::string& what, const std::string& word, const L
 }  // namespace
 
 std::string SceneNames::claim(const SceneTable& table, const std::string& fallback) {
-  const std::string name = table.has("name") ? table.text("name") : fallback;
+  const std::string name = table.has("name") ? table.get<std::string>("name") : fallback;
   if (table.has("name") && !is_scene_name(name)) {
     table.refuse("name", "1 to 60 letters, digits, _ and -");
   }
@@ -46,14 +46,14 @@ void SceneNames::add(const SceneTable& table, const std::string& name, BodyId bo
 }
 
 BodyId SceneNames::body(const SceneTable& table, const std::string& key) const {
-  const std::string name = table.text(key);
+  const std::string name = table.get<std::string>(key);
   const auto found = body_ids_.find(name);
   if (found == body_ids_.end()) table.refuse(key, names_rule("a body", name, {names_.begin(), names_.end()}));
   return found->second;
 }
 
 JointId SceneNames::joint(const SceneTable& table, const std::string& key) const {
-  const std::string name = table.text(key);
+  const std::string name = table.get<std::string>(key);
   const auto found = joint_ids_.find(name);
   if (found != joint_ids_.end()) return found->second;
   if (joint_ids_.empty()) table.refuse(key, "the name of a joint, and there is none");
@@ -62,7 +62,7 @@ JointId SceneNames::joint(const SceneTable& table, const std::string& key) const
 
 std::variant<BodyId, JointId> SceneNames::body_or_joint(const SceneTable& table,
                                                         const std::string& key) const {
-  const std::string name = table.text(key);
+  const std::string name = table.get<std::string>(key);
   if (body_ids_.contains(name)) return body(table, key);
   if (joint_ids_.contains(name)) return joint(table, key);
   List<std::string> names(names_.begin(), names_.end());
@@ -77,7 +77,7 @@ List<std::string> SceneNames::of_joints() const {
 }
 
 List<BodyId> SceneNames::bodies(const SceneTable& table, const std::string& key) const {
-  const std::string name = table.text(key);
+  const std::string name = table.get<std::string>(key);
   if (name.size() < 3 || name.substr(name.size() - 2) != ".*") return {body(table, key)};
   const std::string beginning = name.substr(0, name.size() - 1);
   List<BodyId> found;

@@ -22,16 +22,16 @@ SceneBlock block_of(const SceneTable& table) {
   }
   if (shape_of(table).empty())
     table.refuse("", "made of something: give box = [width, height] or circle", "neither");
-  if (table.has("circle")) return {2 * table.number("circle"), 2 * table.number("circle")};
-  const double rim = 2 * table.number("radius");
-  return {table.point("box").x() + rim, table.point("box").y() + rim};
+  if (table.has("circle")) return {2 * table.get<double>("circle"), 2 * table.get<double>("circle")};
+  const double rim = 2 * table.get<double>("radius");
+  return {table.get<Vec2<double>>("box").x() + rim, table.get<Vec2<double>>("box").y() + rim};
 }
 
 /// Shapes that differ from body to body: larger by `more` [m].
 Shape<double> larger_block(const SceneTable& table, double more) {
-  if (table.has("circle")) return circle(table.number("circle") + more);
-  const Vec2<double> size = table.point("box");
-  return box(size.x() + more, size.y() + more, table.number("radius"));
+  if (table.has("circle")) return circle(table.get<double>("circle") + more);
+  const Vec2<double> size = table.get<Vec2<double>>("box");
+  return box(size.x() + more, size.y() + more, table.get<double>("radius"));
 }
 
 void join_neighbours(SceneBuilder& builder, const SceneTable& table, const std::string& name, BodyId a,
@@ -40,7 +40,7 @@ void join_neighbours(SceneBuilder& builder, const SceneTable& table, const std::
   DistanceJoint::Spec ends{.a = a, .b = b};
   ends.anchor_a = bodies[a].pose.position;
   ends.anchor_b = bodies[b].pose.position;
-  if (table.text("joint") != "rod") ends.anchor_a = (ends.anchor_a + ends.anchor_b) / 2;
+  if (table.get<std::string>("joint") != "rod") ends.anchor_a = (ends.anchor_a + ends.anchor_b) / 2;
   join_links(builder, table, name, ends);
 }
 
@@ -60,21 +60,21 @@ void join_row(SceneBuilder& builder, const SceneTable& table, const std::string&
 }  // namespace
 
 void build_link(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  const Vec2<double> from = table.point("from"), to = table.point("to");
+  const Vec2<double> from = table.get<Vec2<double>>("from"), to = table.get<Vec2<double>>("to");
   const Vec2<double> half = (to - from) / 2;
   BodySpec spec = body_of(table);
   spec.position = (from + to) / 2;
-  table.guard([&] { spec.shapes = {capsule(-half, half, table.number("radius"))}; });
+  table.guard([&] { spec.shapes = {capsule(-half, half, table.get<double>("radius"))}; });
   builder.add(table, spec, name);
 }
 
 void build_stack(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   const SceneBlock block = block_of(table);
-  const Vec2<double> foot = table.point("position");
-  const double offset = table.number("offset");
+  const Vec2<double> foot = table.get<Vec2<double>>("position");
+  const double offset = table.get<double>("offset");
   BodySpec spec = body_of(table);
   spec.shapes = shape_of(table);
-  for (int i = 0; i < table.integer("n"); ++i) {
+  for (int i = 0; i < table.get<int>("n"); ++i) {
     spec.position = {foot.x() + (i % 2 == 0 ? -offset : offset),
                      foot.y() + block.height / 2 + i * block.height};
     builder.add(table, spec, numbered(name, i));
@@ -83,9 +83,9 @@ void build_stack(SceneBuilder& builder, const SceneTable& table, const std::stri
 
 void build_pyramid(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
   const SceneBlock block = block_of(table);
-  const Vec2<double> foot = table.point("position");
-  const double spacing = table.has("spacing") ? table.number("spacing") : block.width + 0.1;
-  const int rows = table.integer("n");
+  const Vec2<double> foot = table.get<Vec2<double>>("position");
+  const double spacing = table.has("spacing") ? table.get<double>("spacing") : block.width + 0.1;
+  const int rows = table.get<int>("n");
   BodySpec spec = body_of(table);
   spec.shapes = shape_of(table);
   int count = 0;
@@ -102,10 +102,10 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
   if (table.has("first") == table.has("position")) {
     table.refuse("first", "given, or else position, and not both", table.has("first") ? "both" : "neither");
   }
-  const int n = table.integer("n"), every = table.integer("every");
-  const Vec2<double> step = table.point("step"), row_step = table.point("row_step");
-  const Vec2<double> stagger = table.point("stagger");
-  const Vec2<double> start = table.point(table.has("first") ? "first" : "position");
+  const int n = table.get<int>("n"), every = table.get<int>("every");
+  const Vec2<double> step = table.get<Vec2<double>>("step"), row_step = table.get<Vec2<double>>("row_step");
+  const Vec2<double> stagger = table.get<Vec2<double>>("stagger");
+  const Vec2<double> start = table.get<Vec2<double>>(table.has("first") ? "first" : "position");
   const double middle = table.has("first") ? 0 : 0.5 * (n - 1);
   const List<SceneTable> other = table.tables("other");
   if ((every > 0) == other.empty())
@@ -114,7 +114,7 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
   const List<Shape<double>> usual = shape_of(table);
   const List<Shape<double>> rare = other.empty() ? usual : shape_of(other[0]);
   List<BodyId> bodies;
-  for (int row = 0; row < table.integer("rows"); ++row) {
+  for (int row = 0; row < table.get<int>("rows"); ++row) {
     for (int i = 0; i < n; ++i) {
       spec.position = start + (i - middle) * step + row * row_step;
       if (row % 2 == 1) spec.position += stagger;
@@ -122,7 +122,7 @@ void build_row(SceneBuilder& builder, const SceneTable& table, const std::string
       bodies.push_back(builder.add(table, spec, numbered(name, bodies.size())));
     }
   }
-  if (table.text("joint") == "none") return;
+  if (table.get<std::string>("joint") == "none") return;
   builder.later([&builder, table, name, bodies, n] { join_row(builder, table, name, bodies, n); });
 }
 
@@ -130,11 +130,11 @@ void build_pile(SceneBuilder& builder, const SceneTable& table, const std::strin
   block_of(table);
   // Multiples of the golden ratio, less whole numbers: evenly spread, and never twice the same.
   const double golden = (std::sqrt(5.0) - 1) / 2;
-  const Vec2<double> first = table.point("first"), step = table.point("step");
-  const double jitter = table.number("jitter"), spread = table.number("spread");
-  const int columns = table.integer("columns"), seed = table.integer("seed");
+  const Vec2<double> first = table.get<Vec2<double>>("first"), step = table.get<Vec2<double>>("step");
+  const double jitter = table.get<double>("jitter"), spread = table.get<double>("spread");
+  const int columns = table.get<int>("columns"), seed = table.get<int>("seed");
   BodySpec spec = body_of(table);
-  for (int i = 0; i < table.integer("n"); ++i) {
+  for (int i = 0; i < table.get<int>("n"); ++i) {
     const double turns = (seed + i) * golden;
     const double share = turns - std::floor(turns);
     spec.position = {first.x() + step.x() * (i % columns) + jitter * (2 * share - 1),

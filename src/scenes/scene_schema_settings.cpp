@@ -38,8 +38,10 @@ List<SceneKey> scene_top_keys() {
       {"ground", "height", &GroundSpec::height, "m", "", "of its surface"},
       {"ground", "half_width", &GroundSpec::half_width, "m", "> 0", "how far it reaches to each side",
        "Where L is more than 1 m 50 L, else 50"},
-      {"ground", "friction", &GroundSpec::friction, "", "from 0 to 1e6", "coefficient mu"},
-      {"ground", "restitution", &GroundSpec::restitution, "", "from 0 to 1", "coefficient e"},
+      {"ground", "friction", nested(&GroundSpec::material, &Material::friction), "", "from 0 to 1e6",
+       "coefficient mu"},
+      {"ground", "restitution", nested(&GroundSpec::material, &Material::restitution), "", "from 0 to 1",
+       "coefficient e"},
       {"camera", "center", &SceneCamera::center, "m", "", "middle of the picture"},
       {"camera", "height", &SceneCamera::height, "m", "> 0", "of what the picture shows"},
   };

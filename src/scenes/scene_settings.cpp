@@ -20,7 +20,7 @@ void read_pace(const SceneTable& table, Settings& settings) {
 std::string solver_of(const SceneTable& table, const std::string& fallback) {
   if (!table.has("solver")) return fallback;
   const List<std::string> known = solver_names({"box2d", opencl_jacobi_entry().name});
-  const std::string name = table.text("solver");
+  const std::string name = table.get<std::string>("solver");
   if (const std::string found = known_word(name, known); !found.empty()) return found;
   const std::string near = nearest(name, known);
   std::string rule = "the name of a solver";
@@ -37,7 +37,7 @@ bool says_substeps(const SceneTable& file) {
 }  // namespace
 
 SceneSettings scene_settings_of(const SceneTable& file) {
-  const bool from_above = file.text("view") == "top";
+  const bool from_above = file.get<std::string>("view") == "top";
   if (from_above && file.has("gravity")) file.refuse("gravity", "left out where view = \"top\"");
   SceneSettings settings;
   file.read(settings);

@@ -62,28 +62,35 @@ std::string SceneTable::path_of(const std::string& key) const {
   return path_.empty() ? excerpt(key) : path_ + "." + excerpt(key);
 }
 
-bool SceneTable::flag(const std::string& key) const {
+template <>
+bool SceneTable::get(const std::string& key) const {
   const SceneValue* value = value_->find(key);
   return value ? value->number != 0 : known(key).fallback == "true";
 }
 
-double SceneTable::number(const std::string& key) const {
+template <>
+double SceneTable::get(const std::string& key) const {
   const SceneValue* value = value_->find(key);
   const SceneKey& rules = known(key);
   return value ? scene_number(*context_, *value, path_of(key), rule_text(rules))
                : default_number(rules.fallback);
 }
 
-int SceneTable::integer(const std::string& key) const { return static_cast<int>(number(key)); }
+template <>
+int SceneTable::get(const std::string& key) const {
+  return static_cast<int>(get<double>(key));
+}
 
-std::string SceneTable::text(const std::string& key) const {
+template <>
+std::string SceneTable::get(const std::string& key) const {
   const SceneValue* value = value_->find(key);
   const SceneKey& rules = known(key);
   if (!value) return rules.fallback;
   return rules.field.type == SceneType::word ? known_word(value->text, rules.field.words) : value->text;
 }
 
-Vec2<double> SceneTable::point(const std::string& key) const {
+template <>
+Vec2<double> SceneTable::get(const std::string& key) const {
   const SceneValue* value = value_->find(key);
   const SceneKey& rules = known(key);
   if (!value) return default_point(rules.fallback);
@@ -92,7 +99,8 @@ Vec2<double> SceneTable::point(const std::string& key) const {
           scene_number(*context_, value->items[1], path_of(key), rule)};
 }
 
-List<Vec2<double>> SceneTable::points(const std::string& key) const {
+template <>
+List<Vec2<double>> SceneTable::get(const std::string& key) const {
   const std::string rule = rule_text(known(key));
   List<Vec2<double>> all;
   for (const SceneValue& item : value_->find(key)->items) {

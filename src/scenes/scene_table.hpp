@@ -29,13 +29,10 @@ class SceneTable {
              const std::string& path);
 
   bool has(const std::string& key) const { return value_->find(key) != nullptr; }
-  bool flag(const std::string& key) const;
-  double number(const std::string& key) const;  // of an integer, too
-  int integer(const std::string& key) const;
-  /// Of a word: as the key lists it.
-  std::string text(const std::string& key) const;
-  Vec2<double> point(const std::string& key) const;
-  List<Vec2<double>> points(const std::string& key) const;
+  /// As a bool, an int, a double (an integer's too), a text (a word is as the key lists it), a Vec2<double>
+  /// or a List of them.
+  template <typename Value>
+  Value get(const std::string& key) const;
   /// The tables of a key of type table or tables; empty: there is none.
   List<SceneTable> tables(const std::string& key) const;
   /// Gives all that the file says of members of such a struct to these members; the others stay as they are.
@@ -73,6 +70,19 @@ class SceneTable {
   const SceneTableKind* kind_;
   std::string path_;
 };
+
+template <>
+bool SceneTable::get(const std::string& key) const;
+template <>
+double SceneTable::get(const std::string& key) const;
+template <>
+int SceneTable::get(const std::string& key) const;
+template <>
+std::string SceneTable::get(const std::string& key) const;
+template <>
+Vec2<double> SceneTable::get(const std::string& key) const;
+template <>
+List<Vec2<double>> SceneTable::get(const std::string& key) const;
 
 template <typename Struct>
 void SceneTable::read(Struct& into) const {

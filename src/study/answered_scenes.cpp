@@ -132,22 +132,33 @@ Scene bouncing_ball() {
   SceneSettings settings;
   settings.restitution_threshold = 0.1;
   Scene scene(settings);
-  scene.add_ground({.friction = 0});
-  scene.add({.shapes = {circle(0.25)}, .position = {0, 1.25}, .mass = 1, .friction = 0, .restitution = 0.8});
+  scene.add_ground({.material = {.friction = 0}});
+  scene.add({.shapes = {circle(0.25)},
+             .position = {0, 1.25},
+             .mass = 1,
+             .material = {.friction = 0, .restitution = 0.8}});
   return scene;
 }
 
 Scene sliding_box() {
   Scene scene;
-  scene.add_ground({.friction = 0.3});
-  scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .velocity = {5, 0}, .mass = 1, .friction = 0.3});
+  scene.add_ground({.material = {.friction = 0.3}});
+  scene.add({.shapes = {box(1, 0.5)},
+             .position = {0, 0.25},
+             .velocity = {5, 0},
+             .mass = 1,
+             .material = {.friction = 0.3}});
   return scene;
 }
 
 Scene slipping_disc() {
   Scene scene;
-  scene.add_ground({.friction = 0.2});
-  scene.add({.shapes = {circle(0.5)}, .position = {0, 0.5}, .velocity = {6, 0}, .mass = 1, .friction = 0.2});
+  scene.add_ground({.material = {.friction = 0.2}});
+  scene.add({.shapes = {circle(0.5)},
+             .position = {0, 0.5},
+             .velocity = {6, 0},
+             .mass = 1,
+             .material = {.friction = 0.2}});
   return scene;
 }
 

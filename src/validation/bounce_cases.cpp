@@ -23,7 +23,7 @@ Scene dropped_ball(double restitution, double frequency) {
   scene.add({.shapes = {circle(bounce_radius)},
              .position = {0, bounce_height + bounce_radius},
              .mass = 1,
-             .restitution = restitution});
+             .material = {.restitution = restitution}});
   return scene;
 }
 

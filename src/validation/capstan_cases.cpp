@@ -22,7 +22,9 @@ const double capstan_post = 1, capstan_bead = 0.05;  // [m] radii
 Scene rope_round_post(int n, double ratio) {
   const double reach = capstan_post + capstan_bead;
   Scene scene({.stabilization = {.slop = 1e-4}});
-  scene.add({.type = BodyType::static_body, .shapes = {circle(capstan_post)}, .friction = capstan_friction});
+  scene.add({.type = BodyType::static_body,
+             .shapes = {circle(capstan_post)},
+             .material = {.friction = capstan_friction}});
   const auto out = [n](int i) -> Vec2<double> {
     const double angle = (i + 0.5) * pi / n;
     return {std::cos(angle), std::sin(angle)};
@@ -39,7 +41,7 @@ Scene rope_round_post(int n, double ratio) {
     tie({.shapes = {circle(capstan_bead)},
          .position = reach * out(i),
          .mass = 0.5,
-         .friction = capstan_friction,
+         .material = {.friction = capstan_friction},
          .gravity_scale = 0,
          .fixed_rotation = true});
   }

@@ -59,9 +59,9 @@ inline List<Vec2<double>> arch_stone(const ArchSpec& spec, int i) {
 /// stones of 0.11 slide apart below a friction of 0.3918.
 inline Scene masonry_arch(const ArchSpec& spec) {
   Scene scene({.stabilization = {.slop = spec.slop}});
-  scene.add_ground({.friction = spec.friction});
+  scene.add_ground({.material = {.friction = spec.friction}});
   for (int i = 0; i < spec.stones; ++i) {
-    scene.add({.shapes = {polygon(arch_stone(spec, i))}, .friction = spec.friction});
+    scene.add({.shapes = {polygon(arch_stone(spec, i))}, .material = {.friction = spec.friction}});
   }
   return scene;
 }
@@ -132,19 +132,21 @@ inline Silo silo_before_settling(const SiloSpec& spec) {
                           .shapes = {box(spec.width - 0.02, 1)},
                           .position = {0, -0.5},
                           .velocity = {0, spec.floor_velocity},
-                          .friction = 0});
+                          .material = {.friction = 0}});
   for (const double side : {-1.0, 1.0}) {
     scene.add({.type = BodyType::static_body,
                .shapes = {box(2, tall)},
                .position = {side * (spec.width / 2 + 1), tall / 2 - 2},
                // mixed: the square root of both
-               .friction = spec.wall_friction * spec.wall_friction / spec.friction});
+               .material = {.friction = spec.wall_friction * spec.wall_friction / spec.friction}});
   }
   for (int row = 0; row < spec.rows; ++row) {
     for (int i = 0; i < 4; ++i) {
       const double radius = uniform(0.4, 0.5);
       const double x = -spec.width / 2 + 0.6 + 1.25 * i + uniform(-0.05, 0.05);
-      scene.add({.shapes = {circle(radius)}, .position = {x, 0.6 + 1.05 * row}, .friction = spec.friction});
+      scene.add({.shapes = {circle(radius)},
+                 .position = {x, 0.6 + 1.05 * row},
+                 .material = {.friction = spec.friction}});
       silo.weight += pi * radius * radius * scene.settings().gravity.norm();
     }
   }

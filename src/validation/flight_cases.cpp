@@ -56,7 +56,8 @@ const double hit_speed = 2;     // [m/s]
 /// A disc that comes along x, and an equal one at rest whose centre is `offset` higher.
 Scene oblique_discs(double offset, double frequency) {
   Scene scene({.gravity = {0, 0}, .dt = 1 / frequency});
-  const BodySpec disc{.shapes = {circle(hit_radius)}, .mass = 1, .friction = 0, .restitution = 1};
+  const BodySpec disc{
+      .shapes = {circle(hit_radius)}, .mass = 1, .material = {.friction = 0, .restitution = 1}};
   BodySpec coming = disc, waiting = disc;
   coming.position = {-2, 0};
   coming.velocity = {hit_speed, 0};

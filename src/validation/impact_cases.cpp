@@ -42,8 +42,12 @@ ValidationResult sliding_feet(const EngineMaker&) {
 // A11, in a world, after half a second.
 ValidationResult sliding_feet_of_a_box(const EngineMaker& make) {
   Scene scene;
-  scene.add_ground({.friction = 0.4});
-  scene.add({.shapes = {box(2, 1)}, .position = {0, 0.5}, .velocity = {5, 0}, .mass = 1, .friction = 0.4});
+  scene.add_ground({.material = {.friction = 0.4}});
+  scene.add({.shapes = {box(2, 1)},
+             .position = {0, 0.5},
+             .velocity = {5, 0},
+             .mass = 1,
+             .material = {.friction = 0.4}});
   const Snapshot now = run_scene(make, scene, 100, 0.5);
   double rear = 0, front = 0;
   for (const SnapshotContact& contact : now.contacts) {
@@ -69,8 +73,7 @@ Snapshot struck_row_of_discs(const EngineMaker& make, int n) {
                .position = {static_cast<double>(i), 0},
                .velocity = {i == 0 ? 1.0 : 0.0, 0},
                .mass = 1,
-               .friction = 0,
-               .restitution = 1});
+               .material = {.friction = 0, .restitution = 1}});
   }
   // cos^2(pi / n) a sweep: for n = 5 that is 0.65, and 0.65^200 = 1e-37 leaves rounding only.
   return run_scene(make, scene, 200, standard_dt);
@@ -176,13 +179,12 @@ ValidationResult glance_in_a_world(const EngineMaker& make) {
   ValidationResult result;
   for (const double u : glance_speeds) {
     Scene scene({.gravity = {0, 0}});
-    scene.add_ground({.friction = glance_mu});
+    scene.add_ground({.material = {.friction = glance_mu}});
     // It touches where the step begins: a gap C would change the arm of friction to R + C / 2.
     scene.add({.shapes = {circle(glance_radius)},
                .position = {0, glance_radius},
                .velocity = {u, -glance_fall},
-               .friction = glance_mu,
-               .restitution = glance_e});
+               .material = {.friction = glance_mu, .restitution = glance_e}});
     const Snapshot end = run_scene(make, scene, 10, 0.25);  // it leaves in the first step, and flies on
     add_glance(u, end.bodies[{1}].velocity, "", 1e-12 * 12, result);
   }

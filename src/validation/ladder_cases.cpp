@@ -26,11 +26,11 @@ double least_ladder_angle(double wall_mu) {
 /// friction 1, so that the pair's is the square root of the other's.
 Scene ladder_scene(double angle, double wall_mu) {
   Scene scene({.stabilization = {.slop = 1e-4}});
-  scene.add_ground({.friction = ladder_floor_mu * ladder_floor_mu});
+  scene.add_ground({.material = {.friction = ladder_floor_mu * ladder_floor_mu}});
   scene.add({.type = BodyType::static_body,
              .shapes = {box(1, 10)},
              .position = {-0.5, 5.5},
-             .friction = wall_mu * wall_mu});
+             .material = {.friction = wall_mu * wall_mu}});
   const double thickness = 1e-3;
   const double reach_x = (ladder_length * std::cos(angle) + thickness * std::sin(angle)) / 2;
   const double reach_y = (ladder_length * std::sin(angle) + thickness * std::cos(angle)) / 2;
@@ -38,7 +38,7 @@ Scene ladder_scene(double angle, double wall_mu) {
              .position = {reach_x, reach_y},
              .angle = -angle,
              .mass = 1,
-             .friction = 1});
+             .material = {.friction = 1}});
   return scene;
 }
 

@@ -40,7 +40,8 @@ List<Shape<double>> drum_wall() {
 /// nothing but the rounding of sums can change a momentum.
 Scene discs_in_drum() {
   Scene scene({.gravity = {0, 0}});
-  scene.add({.shapes = drum_wall(), .mass = 16, .inertia = 128, .friction = 0.5, .restitution = 1});
+  scene.add(
+      {.shapes = drum_wall(), .mass = 16, .inertia = 128, .material = {.friction = 0.5, .restitution = 1}});
   std::mt19937 random(20);
   const auto uniform = [&random] { return static_cast<double>(random()) / 4294967296.0; };  // in [0, 1)
   for (int i = 0; i < drum_discs; ++i) {
@@ -52,8 +53,7 @@ Scene discs_in_drum() {
                .angular_velocity = 4 * uniform(),
                .mass = i % 2 == 0 ? 1.0 : 0.5,
                .inertia = 1.0 / 32,
-               .friction = 0.5,
-               .restitution = 1});
+               .material = {.friction = 0.5, .restitution = 1}});
   }
   return scene;
 }
@@ -132,7 +132,7 @@ Scene cradle_with_gaps(const List<double>& masses) {
                .position = {x, 0},
                .velocity = {x > 0 ? 0.0 : cradle_speed, 0},
                .mass = mass,
-               .restitution = 1});
+               .material = {.restitution = 1}});
     x += 0.7;
   }
   return scene;

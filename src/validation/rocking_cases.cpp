@@ -39,13 +39,13 @@ double exact_quarter(double start) {
 /// Leaning to the right on its right corner by `start` [rad], at rest.
 Scene rocking_block(double start, double frequency) {
   Scene scene({.dt = 1 / frequency});
-  scene.add_ground({.friction = 2});
+  scene.add_ground({.material = {.friction = 2}});
   const double lean = rocker_slenderness - start;  // of the diagonal from the vertical
   scene.add({.shapes = {box(2 * rocker_half_width, 2 * rocker_half_height)},
              .position = {-rocker_diagonal * std::sin(lean), rocker_diagonal * std::cos(lean)},
              .angle = -start,
              .mass = 1,
-             .friction = 2});
+             .material = {.friction = 2}});
   return scene;
 }
 

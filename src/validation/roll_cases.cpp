@@ -20,14 +20,14 @@ const double roll_pull = roll_friction * standard_gravity;  // [m/s^2] of fricti
 /// `rim` = R w0 [m/s].
 Scene thrown_disc(double speed, double rim, double frequency) {
   Scene scene({.dt = 1 / frequency});
-  scene.add_ground({.friction = roll_friction});
+  scene.add_ground({.material = {.friction = roll_friction}});
   scene.add({.shapes = {circle(roll_radius)},
              .position = {0, roll_radius},
              .velocity = {speed, 0},
              .angular_velocity = rim / roll_radius,
              .mass = 2,
-             .inertia = roll_radius * roll_radius,  // m R^2 / 2
-             .friction = roll_friction});
+             .inertia = roll_radius * roll_radius,
+             .material = {.friction = roll_friction}});
   return scene;
 }
 

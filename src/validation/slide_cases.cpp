@@ -17,7 +17,7 @@ using namespace cairn::cases;
 /// On a ground with the friction of the body, which lies on it.
 Scene thrown_on_ground(BodySpec body, double height, double frequency) {
   Scene scene({.dt = 1 / frequency});
-  scene.add_ground({.friction = body.friction});
+  scene.add_ground({.material = {.friction = body.material.friction}});
   body.position = {0, height};
   scene.add(body);
   return scene;
@@ -28,9 +28,11 @@ const double slide_friction = 0.3;  // mu
 const double slide_mass = 4;        // [kg]
 
 Scene sliding_block(double frequency) {
-  return thrown_on_ground(
-      {.shapes = {box(1, 0.5)}, .velocity = {slide_speed, 0}, .mass = slide_mass, .friction = slide_friction},
-      0.25, frequency);
+  return thrown_on_ground({.shapes = {box(1, 0.5)},
+                           .velocity = {slide_speed, 0},
+                           .mass = slide_mass,
+                           .material = {.friction = slide_friction}},
+                          0.25, frequency);
 }
 
 // Every step takes mu g dt from the speed, and goes as far as the speed that is left: v0 dt/2 less in all.
@@ -113,8 +115,10 @@ const double audit_disc_mu = 0.2;
 // A disc rolls at 2/3 v0 in the end: (1 + 1/2) 4/9 of its energy is left. It slips for v0/(3 mu g) = 1 s.
 void add_disc_heat(List<Measured>& numbers) {
   const double radius = 0.5, heat = audit_disc_speed * audit_disc_speed / 6;
-  const BodySpec disc{
-      .shapes = {circle(radius)}, .velocity = {audit_disc_speed, 0}, .mass = 1, .friction = audit_disc_mu};
+  const BodySpec disc{.shapes = {circle(radius)},
+                      .velocity = {audit_disc_speed, 0},
+                      .mass = 1,
+                      .material = {.friction = audit_disc_mu}};
   List<double> slipping, rolling;
   for (const SolverMaker<double>& make : all_solvers<double>()) {
     World<double> world(thrown_on_ground(disc, radius, 60));

@@ -24,7 +24,7 @@ Scene scene_on_slope(const CaseSlope& slope, BodySpec body, double height, doubl
              .shapes = {box(40, 1)},
              .position = -0.5 * slope.normal(),
              .angle = -slope.angle,
-             .friction = body.friction});
+             .material = {.friction = body.material.friction}});
   body.position = height * slope.normal();
   body.angle = -slope.angle;
   scene.add(body);
@@ -40,7 +40,7 @@ double slope_way(const CaseSlope& slope, const Snapshot& now) {
 }
 
 BodySpec slope_block(double width, double height, double friction) {
-  return {.shapes = {box(width, height)}, .mass = 1, .friction = friction};
+  return {.shapes = {box(width, height)}, .mass = 1, .material = {.friction = friction}};
 }
 
 /// The angles [degrees] between which a block begins to slide.
@@ -90,8 +90,10 @@ const double slope_wheel_radius = 0.5;  // [m]
 /// A wheel whose moment of inertia is `share` of m R^2, after a second on a slope of 30 degrees.
 Snapshot wheel_on_slope(const EngineMaker& make, double share, double mu) {
   const double radius = slope_wheel_radius;
-  const BodySpec wheel{
-      .shapes = {circle(radius)}, .mass = 1, .inertia = share * radius * radius, .friction = mu};
+  const BodySpec wheel{.shapes = {circle(radius)},
+                       .mass = 1,
+                       .inertia = share * radius * radius,
+                       .material = {.friction = mu}};
   return run_scene(make, scene_on_slope({in_radians(30)}, wheel, radius), 10, 1);
 }
 

@@ -16,15 +16,16 @@ const double wedge_mass = 3;  // [kg] M; the block has m = 1 kg
 Scene free_wedge() {
   const double s = std::sin(wedge_angle), c = std::cos(wedge_angle), width = 6;
   Scene scene;
-  scene.add_ground({.friction = 0});
-  scene.add(
-      {.shapes = {polygon({{0, 0}, {width, 0}, {0, width * s / c}})}, .mass = wedge_mass, .friction = 0});
+  scene.add_ground({.material = {.friction = 0}});
+  scene.add({.shapes = {polygon({{0, 0}, {width, 0}, {0, width * s / c}})},
+             .mass = wedge_mass,
+             .material = {.friction = 0}});
   const Vec2<double> middle_of_face(width / 2, width / 2 * s / c);
   scene.add({.shapes = {box(1, 0.5)},
              .position = middle_of_face + 0.25 * Vec2<double>(s, c),
              .angle = -wedge_angle,
              .mass = 1,
-             .friction = 0});
+             .material = {.friction = 0}});
   return scene;
 }
 

@@ -30,7 +30,7 @@ Scene cornered_wheel(int corners, double spin) {
              .shapes = {box(80, 1)},
              .position = 30 * along - 0.5 * up,
              .angle = -corner_slope,
-             .friction = 1});
+             .material = {.friction = 1}});
   List<Vec2<double>> points;
   for (int i = 0; i < corners; ++i) {
     const double angle = -pi / 2 + (2 * i + 1) * pi / corners;  // a face is below
@@ -45,7 +45,7 @@ Scene cornered_wheel(int corners, double spin) {
              .angular_velocity = -spin,
              .mass = 1,
              .inertia = inertia_of_corners(corners),
-             .friction = 1});
+             .material = {.friction = 1}});
   return scene;
 }
 

@@ -40,7 +40,8 @@ class ColliderMaker {
     const Shape<Real> cast = shape_cast<Real>(chain);
     const Chain<Real>& points = std::get<Chain<Real>>(cast);
     for (int i = 0; i < points.link_count(); ++i) {
-      colliders.push_back({.body = body, .form = shared(Segment<Real>{points.point(i), points.point(i + 1)})});
+      colliders.push_back(
+          {.body = body, .form = shared(Segment<Real>{points.point(i), points.point(i + 1)})});
       set_around(colliders.back(), link_neighbours(chain, i));
     }
   }
@@ -73,7 +74,8 @@ class Groups {
   }
   int of(BodyId id, const BodySpec& spec) {
     if (spec.sensor || alone_[id] || spec.type != BodyType::static_body) return -1 - id.index;
-    return groups_.insert({{spec.category, spec.collides_with}, static_cast<int>(groups_.size())})
+    return groups_
+        .insert({{spec.filter.category, spec.filter.collides_with}, static_cast<int>(groups_.size())})
         .first->second;
   }
 

@@ -111,7 +111,7 @@ void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> 
 template <Scalar Real>
 bool ContactCache<Real>::may_meet(const Scene& scene, int collider_a, int collider_b) const {
   const BodyId a = (*colliders_)[collider_a].body, b = (*colliders_)[collider_b].body;
-  if (a == b || !may_touch(scene.bodies()[a].spec, scene.bodies()[b].spec)) return false;
+  if (a == b || !may_touch(scene.bodies()[a].spec.filter, scene.bodies()[b].spec.filter)) return false;
   const List<std::pair<BodyId, BodyId>>& apart = scene.joints().apart();
   return !std::binary_search(apart.begin(), apart.end(), std::pair<BodyId, BodyId>(std::minmax(a, b)));
 }
@@ -126,7 +126,7 @@ CachedContact<Real> ContactCache<Real>::make_contact(const Substep<Real>& step, 
   CachedContact<Real> cached{.collider_a = collider_a, .collider_b = collider_b, .a = a, .b = b};
   cached.sensed = spec_a.sensor || spec_b.sensor;
   cached.friction = static_cast<Real>(of_a.friction_root * of_b.friction_root);
-  cached.restitution = static_cast<Real>(std::max(spec_a.restitution, spec_b.restitution));
+  cached.restitution = static_cast<Real>(std::max(spec_a.material.restitution, spec_b.material.restitution));
   cached.slop_limit = std::min(of_a.slop_limit, of_b.slop_limit);
   return cached;
 }

@@ -31,7 +31,7 @@ bool any_may_meet(const Scene& scene) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Kind> kinds;
   for (const SceneBody& body : scene.bodies()) {
     if (body.removed || body.spec.shapes.empty()) continue;
-    Kind& kind = kinds[{body.spec.category, body.spec.collides_with}];
+    Kind& kind = kinds[{body.spec.filter.category, body.spec.filter.collides_with}];
     kind.has_two = kind.spec != nullptr;
     kind.spec = &body.spec;
     kind.has_dynamic |= body.spec.type == BodyType::dynamic;
@@ -39,7 +39,9 @@ bool any_may_meet(const Scene& scene) {
   for (const auto& [one_name, one] : kinds) {
     for (const auto& [other_name, other] : kinds) {
       const bool are_two = one_name != other_name || one.has_two;
-      if (are_two && (one.has_dynamic || other.has_dynamic) && may_touch(*one.spec, *other.spec)) return true;
+      if (are_two && (one.has_dynamic || other.has_dynamic) &&
+          may_touch(one.spec->filter, other.spec->filter))
+        return true;
     }
   }
   return false;
@@ -69,9 +71,9 @@ Plan make_plan(const Scene& scene) {
     plan.size.turning_bodies += dynamic && body.inertia > 0;
     plan.collision |= dynamic && !spec.shapes.empty();
     plan.gravity |= dynamic && spec.gravity_scale != 0 && !scene.settings().gravity.isZero(0);
-    plan.damping |= dynamic && (spec.linear_damping > 0 || spec.angular_damping > 0);
-    rubbing_bodies += spec.friction > 0 && !spec.shapes.empty();
-    plan.restitution |= spec.restitution > 0 && !spec.shapes.empty();
+    plan.damping |= dynamic && (spec.damping.linear > 0 || spec.damping.angular > 0);
+    rubbing_bodies += spec.material.friction > 0 && !spec.shapes.empty();
+    plan.restitution |= spec.material.restitution > 0 && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
       plan.size.colliders += piece_count(shape);
       kinds.insert(shape_name(shape));

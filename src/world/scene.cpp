@@ -52,10 +52,10 @@ void check_material(const BodySpec& spec, const char* place) {
   if (spec.inertia) require_weight(*spec.inertia, place, "inertia", "kg m^2");
   require(spec.density > 0 && std::isfinite(spec.density), place, "density", "> 0 kg/m^2 and finite",
           spec.density);
-  require_friction(spec.friction, place);
-  require_unit_interval(spec.restitution, place, "restitution");
-  require_range(spec.linear_damping, 0, place, "linear_damping", "1/s");
-  require_range(spec.angular_damping, 0, place, "angular_damping", "1/s");
+  require_friction(spec.material.friction, place);
+  require_unit_interval(spec.material.restitution, place, "restitution");
+  require_range(spec.damping.linear, 0, place, "linear_damping", "1/s");
+  require_range(spec.damping.angular, 0, place, "angular_damping", "1/s");
 }
 
 /// Makers of shapes refuse bad numbers; a shape written by hand has asked none of them.
@@ -222,11 +222,10 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
           "> 0 m and finite", spec.half_width);
   require(spec.thickness > 0 && std::isfinite(spec.thickness), "Scene::add_ground", "thickness",
           "> 0 m and finite", spec.thickness);
-  require_friction(spec.friction, "Scene::add_ground");
-  require_unit_interval(spec.restitution, "Scene::add_ground", "restitution");
+  require_friction(spec.material.friction, "Scene::add_ground");
+  require_unit_interval(spec.material.restitution, "Scene::add_ground", "restitution");
   SceneBody& body = own_bodies()[ground];
-  body.spec.friction = spec.friction;
-  body.spec.restitution = spec.restitution;
+  body.spec.material = spec.material;
   body.spec.shapes.push_back(
       moved(box(2 * spec.half_width, spec.thickness), {0, spec.height - spec.thickness / 2}));
   return ground;

@@ -1,7 +1,6 @@
 // Floor 5. A scene: what there is, before anything moves.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -61,8 +60,26 @@ struct SceneSettings {
   bool operator==(const SceneSettings&) const = default;
 };
 
+/// What a surface is like. Where two touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in
+/// Box2D.
+struct Material {
+  double friction = 0.6;   // mu
+  double restitution = 0;  // e, in [0, 1]
+
+  /// Member by member.
+  bool operator==(const Material&) const = default;
+};
+
+/// How fast a body loses velocity where nothing touches it.
+struct Damping {
+  double linear = 0;   // [1/s]
+  double angular = 0;  // [1/s]
+
+  /// Member by member.
+  bool operator==(const Damping&) const = default;
+};
+
 /// One body. Its mass is `mass`, or else density times area; its inertia follows from the shapes.
-/// Where two bodies touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in Box2D.
 struct BodySpec {
   BodyType type = BodyType::dynamic;      // static, kinematic or dynamic
   SharedList<Shape<double>> shapes = {};  // in the frame of `position` and `angle`; may be none
@@ -73,15 +90,12 @@ struct BodySpec {
   std::optional<double> mass = {};        // [kg]
   std::optional<double> inertia = {};     // [kg m^2] about the centre of mass
   double density = 1;                     // [kg/m^2]
-  double friction = 0.6;                  // mu
-  double restitution = 0;                 // e, in [0, 1]
-  double linear_damping = 0;              // [1/s]
-  double angular_damping = 0;             // [1/s]
+  Material material = {};                 // of its surface
+  Damping damping = {};                   // of its velocity
   double gravity_scale = 1;               // how many times the gravity of the scene it feels
   bool fixed_rotation = false;            // never turns: 1/I is 0
-  bool sensor = false;         // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
-  std::uint32_t category = 1;  // bits: what it is
-  std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's
+  bool sensor = false;          // is seen to touch (StepRecord::sensed), and neither pushes nor is pushed
+  CollisionFilter filter = {};  // with which others it collides
 
   /// Member by member.
   bool operator==(const BodySpec&) const = default;
@@ -92,8 +106,7 @@ struct GroundSpec {
   double height = 0;       // [m] of its surface
   double half_width = 50;  // [m] wide enough for bodies of 1 m, and so is
   double thickness = 1;    // [m] this; scene files say more of both where bodies are larger
-  double friction = 0.6;   // mu
-  double restitution = 0;  // e, in [0, 1]
+  Material material = {};  // of its surface
 };
 
 /// A body as the scene keeps it: its frame is at the centre of mass, and its shapes are moved accordingly.

@@ -18,8 +18,7 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
           .gravity_scale = body.spec.gravity_scale,
           .removed = body.removed,
           .sensor = body.spec.sensor,
-          .category = body.spec.category,
-          .collides_with = body.spec.collides_with,
+          .filter = body.spec.filter,
           .shapes = body.spec.shapes};
 }
 

@@ -24,8 +24,7 @@ struct SnapshotBody {
   bool awake = true;                      // takes part in the steps
   bool removed = false;                   // an empty place, where a body of the scene was
   bool sensor = false;                    // is seen to touch, and neither pushes nor is pushed
-  std::uint32_t category = 1;             // bits: what it is
-  std::uint32_t collides_with = ~0u;      // bits: of which categories both must accept the other's
+  CollisionFilter filter = {};            // with which others it collides
   SharedList<Shape<double>> shapes = {};  // in the frame of `pose`
 };
 

@@ -71,15 +71,15 @@ void require_springs_hold(const SceneSettings& settings, const SceneBody& body, 
 template <Scalar Real>
 BodyForces<Real> forces_on(const BodySpec& spec) {
   return {.gravity_scale = static_cast<Real>(spec.gravity_scale),
-          .linear_damping = static_cast<Real>(spec.linear_damping),
-          .angular_damping = static_cast<Real>(spec.angular_damping)};
+          .linear_damping = static_cast<Real>(spec.damping.linear),
+          .angular_damping = static_cast<Real>(spec.damping.angular)};
 }
 
 template <Scalar Real>
 BodyTraits<Real> traits_of(const BodySpec& spec, double smallest, Real radius) {
   return {.slop_limit = static_cast<Real>(slop_share * smallest),
           .failed_error = static_cast<Real>(failed_share * smallest),
-          .friction_root = std::sqrt(spec.friction),
+          .friction_root = std::sqrt(spec.material.friction),
           .radius = radius};
 }
 

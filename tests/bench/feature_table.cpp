@@ -180,7 +180,7 @@ List<Feature> sweep_features() {
 /// Twenty boxes `one` on each other, and beside them, touching nothing, `far`.
 Scene tower_scene(const SceneSettings& settings, BodySpec one, BodySpec far) {
   Scene scene(settings);
-  scene.add_ground({.friction = one.friction});
+  scene.add_ground({.material = {.friction = one.friction}});
   one.shapes = {box(1, 1)};
   one.position = {0, 0.5};
   samples::add_stack(scene, 20, one);
@@ -210,13 +210,14 @@ List<Feature> step_features() {
   const TimedRun soft = tower_with(with_policy(StabilizationPolicy::soft));
   return {
       {"(nothing: the same twice)", plain, tower({}), {}},
-      {"friction", tower({.friction = 0}, {.friction = 0}), tower({.friction = 0}, {.friction = 0.6}), plain},
-      {"restitution", plain, tower({.restitution = 0.5}),
-       tower_with({.restitution_threshold = 0}, {.restitution = 0.5})},
+      {"friction", tower({.material = {.friction = 0}}, {.material = {.friction = 0}}),
+       tower({.material = {.friction = 0}}, {.material = {.friction = 0.6}}), plain},
+      {"restitution", plain, tower({.material = {.restitution = 0.5}}),
+       tower_with({.restitution_threshold = 0}, {.material = {.restitution = 0.5}})},
       {"gravity", tower_with({.gravity = {0, 0}}), tower({.gravity_scale = 0}), plain},
-      {"damping", plain, tower({}, {.linear_damping = 1}), tower({.linear_damping = 1e-3})},
+      {"damping", plain, tower({}, {.damping = {.linear = 1}}), tower({.damping = {.linear = 1e-3}})},
       {"sensors", plain, tower({}, {.sensor = true}), tower({}, {.position = {1e-9, 10}, .sensor = true})},
-      {"filters", plain, tower({.category = 2, .collides_with = 3}), {}},
+      {"filters", plain, tower({.filter = {.category = 2, .collides_with = 3}}), {}},
       {"warm start", tower_with({.warm_start = false}), {}, plain},
       {"policy baumgarte", no_policy, {}, baumgarte},
       {"policy relaxed", no_policy, {}, plain},

@@ -69,7 +69,7 @@ TEST_CASE("a drag off the middle turns its body, holds it against gravity, and n
   Scene scene;
   const double mass = 1, stiffness = 200;
   BodySpec swinging = disc({0, 0}, mass, 0.1);
-  swinging.angular_damping = 5;  // nothing else would bring the pendulum to rest
+  swinging.damping.angular = 5;  // nothing else would bring the pendulum to rest
   const BodyId body = scene.add(swinging);
   scene.join<DragJoint>({.body = body,
                          .anchor = {0.5, 0},

@@ -227,11 +227,17 @@ TEST_CASE("whoever gives a type another field is reminded of the tables above") 
       SceneSettings{};
   const auto& [policy, baumgarte, slop, max_speed, soft, joint_soft] = stabilization;
   const auto& [iterations, tolerance, budget, order, seed, relaxation, patience] = SolverSettings{};
-  const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, friction, rebound,
-               drag, turning_drag, scale, fixed, sensor, category, collides] = BodySpec{};
+  const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, material, damping,
+               scale, fixed, sensor, filter] = BodySpec{};
+  const auto& [friction, rebound] = material;
+  const auto& [drag, turning_drag] = damping;
+  const auto& [category, collides] = filter;
   CHECK(substeps == 1);
   CHECK_FALSE(max_speed);
   CHECK(iterations == 10);
   CHECK(patience == 0);
   CHECK(density == 1);
+  CHECK(friction > rebound);
+  CHECK(drag == turning_drag);
+  CHECK(category != collides);
 }

@@ -42,9 +42,9 @@ BodySpec random_spec(Choices& choices, bool plain) {
   if (choices.one_in(8)) body.type = BodyType::kinematic;
   if (choices.one_in(9)) body.sensor = true;
   if (choices.one_in(7)) body.fixed_rotation = true;
-  if (choices.one_in(4)) body.friction = 0;
-  if (choices.one_in(7)) body.linear_damping = choices.between(0, 2);
-  if (!plain && choices.one_in(6)) body.restitution = choices.between(0, 1);
+  if (choices.one_in(4)) body.material.friction = 0;
+  if (choices.one_in(7)) body.damping.linear = choices.between(0, 2);
+  if (!plain && choices.one_in(6)) body.material.restitution = choices.between(0, 1);
   return body;
 }
 
@@ -123,7 +123,7 @@ void change_body(Scene& scene, Choices& choices) {
   const BodyId body = random_body(scene, choices);
   if (body.index >= scene.bodies().size()) return;
   BodySpec spec = scene.bodies()[body].spec;
-  spec.friction = choices.between(0, 2);
+  spec.material.friction = choices.between(0, 2);
   spec.mass = choices.between(0.1, 1e4);
   try_it([&] { scene.change(body, spec); });
 }

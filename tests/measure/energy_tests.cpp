@@ -32,7 +32,7 @@ Scene cluster(int discs) {
                .position = place,
                .velocity = Vec2<double>(3, 3) - place + random.point(1),
                .angular_velocity = random.uniform(-5, 5),
-               .restitution = random.uniform(0, 1)});
+               .material = {.restitution = random.uniform(0, 1)}});
   }
   return scene;
 }

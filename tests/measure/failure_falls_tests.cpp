@@ -30,7 +30,7 @@ TEST_CASE("a body begins below the ground only where the ground was to stop it")
   const auto begins = [](double y, double x, bool is_held, bool has_shelf, std::uint32_t collides_with) {
     Scene scene;
     scene.add_ground({.half_width = 8});
-    scene.add({.shapes = {box(1, 1)}, .position = {x, y}, .collides_with = collides_with});
+    scene.add({.shapes = {box(1, 1)}, .position = {x, y}, .filter = {.collides_with = collides_with}});
     if (has_shelf) scene.add({.type = BodyType::static_body, .shapes = {box(20, 1)}, .position = {0, -9}});
     if (is_held) scene.join<RevoluteJoint>({.a = ground, .b = {1}, .anchor = {x, y}});
     return FailureWatch(snapshot(World<double>(scene))).failures();

@@ -143,8 +143,9 @@ TEST_CASE("a body that had a floor falls out of the scene below all that cannot 
 
 TEST_CASE("what slides off the end of a line has fallen out of the scene") {
   Scene scene;
-  scene.add({.type = BodyType::static_body, .shapes = {segment({-5, 0}, {5, 0})}, .friction = 0});
-  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {5, 0}, .friction = 0});
+  scene.add(
+      {.type = BodyType::static_body, .shapes = {segment({-5, 0}, {5, 0})}, .material = {.friction = 0}});
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {5, 0}, .material = {.friction = 0}});
   CHECK(failures_of(scene, 1, 10).empty());  // it comes to the end
   const List<Failure> failures = failures_of(scene, 3, 10);
   REQUIRE(failures.size() == 1);

@@ -59,10 +59,10 @@ TEST_CASE("sensors, and bodies whose categories exclude each other, do not penet
   sensing.bodies[{1}].sensor = true;
   CHECK(worst_penetration(sensing) == 0);
   Snapshot sorted = boxes_at({{0, 0}, {0, 0.5}});
-  sorted.bodies[{0}].category = 2;
-  sorted.bodies[{1}].collides_with = 1;
+  sorted.bodies[{0}].filter.category = 2;
+  sorted.bodies[{1}].filter.collides_with = 1;
   CHECK(worst_penetration(sorted) == 0);
-  sorted.bodies[{1}].collides_with = 3;
+  sorted.bodies[{1}].filter.collides_with = 3;
   CHECK(worst_penetration(sorted) == doctest::Approx(0.5).epsilon(overlap_rounding));
 }
 

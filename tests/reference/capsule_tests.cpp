@@ -97,10 +97,10 @@ TEST_CASE("bodies meet in both engines where each accepts the other's category, 
     scene.add({.type = BodyType::static_body,
                .shapes = {box(4, 0.2)},
                .position = {0, -0.1},
-               .category = 2,
-               .collides_with = filter.plate_accepts});
-    scene.add(
-        {.shapes = {box(1, 1)}, .position = {0, 0.6}, .category = 4, .collides_with = filter.box_accepts});
+               .filter = {.category = 2, .collides_with = filter.plate_accepts}});
+    scene.add({.shapes = {box(1, 1)},
+               .position = {0, 0.6},
+               .filter = {.category = 4, .collides_with = filter.box_accepts}});
     Engines engines(scene);
     engines.step(60);
     CHECK(is_held(snapshot(engines.cairn)) == filter.held);

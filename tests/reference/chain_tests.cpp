@@ -7,7 +7,7 @@ namespace cairn::reference_tests {
 namespace {
 
 BodySpec chain_body(const List<Vec2<double>>& points, const ChainEnds& ends = {}) {
-  return {.type = BodyType::static_body, .shapes = {chain(points, ends)}, .friction = 0};
+  return {.type = BodyType::static_body, .shapes = {chain(points, ends)}, .material = {.friction = 0}};
 }
 
 }  // namespace
@@ -17,8 +17,8 @@ TEST_CASE("a box slides over the links of a chain at its speed in both engines")
   List<Vec2<double>> points;
   for (int i = 20; i >= -2; --i) points.push_back({0.5 * i, 0});
   scene.add(chain_body(points));
-  const BodyId box_id =
-      scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {3, 0}, .friction = 0});
+  const BodyId box_id = scene.add(
+      {.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {3, 0}, .material = {.friction = 0}});
   Engines engines(scene);
   engines.step(120);
   CHECK(body(snapshot(engines.cairn), box_id).velocity.x() == doctest::Approx(3).epsilon(1e-12));
@@ -31,7 +31,7 @@ TEST_CASE(
     "a closed chain that runs clockwise is a room in both engines, with a contact on each of two walls") {
   Scene scene({.gravity = {10, -10}});
   scene.add(chain_body({{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}, {.closed = true}));
-  const BodyId ball = scene.add({.shapes = {circle(0.2)}, .position = {0, 0}, .friction = 0});
+  const BodyId ball = scene.add({.shapes = {circle(0.2)}, .position = {0, 0}, .material = {.friction = 0}});
   Engines engines(scene);
   engines.step(240);
   for (const Snapshot& seen : {snapshot(engines.cairn), engines.box2d.snapshot()}) {

@@ -60,12 +60,12 @@ inline Slope box_on_slope(const SlopeSpec& spec) {
                    .shapes = {box(60, 1)},
                    .position = -0.5 * normal,
                    .angle = -spec.angle,
-                   .friction = spec.friction});
+                   .material = {.friction = spec.friction}});
   slope.box = slope.scene.add({.shapes = {box(spec.size.x(), spec.size.y())},
                                .position = slope.start,
                                .angle = -spec.angle,
                                .velocity = spec.velocity * slope.downhill,
-                               .friction = spec.friction});
+                               .material = {.friction = spec.friction}});
   return slope;
 }
 

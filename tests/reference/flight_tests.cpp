@@ -34,8 +34,8 @@ TEST_CASE("an elastic ball regains its height exactly in Cairn, and gains v dt w
   const double g = 10;         // [m/s^2]
   Scene scene;
   scene.add_ground();
-  const BodyId ball =
-      scene.add({.shapes = {circle(radius)}, .position = {0, radius + height}, .restitution = 1});
+  const BodyId ball = scene.add(
+      {.shapes = {circle(radius)}, .position = {0, radius + height}, .material = {.restitution = 1}});
   const double dt = scene.settings().dt;
 
   // The ball falls for n steps until it overlaps Box2D's skin: y_n = h - g dt^2 n (n + 1) / 2.
@@ -71,8 +71,7 @@ TEST_CASE("damping, gravity scale and kinematic motion follow the same formulas 
   const BodyId damped = scene.add({.shapes = {circle(0.1)},
                                    .velocity = {5, 0},
                                    .angular_velocity = 3,
-                                   .linear_damping = damping,
-                                   .angular_damping = damping,
+                                   .damping = {.linear = damping, .angular = damping},
                                    .gravity_scale = 0});
   const BodyId heavy = scene.add({.shapes = {circle(0.1)}, .position = {5, 0}, .gravity_scale = 2});
   const BodyId belt = scene.add({.type = BodyType::kinematic,

@@ -37,7 +37,7 @@ class Magnet final : public ConstraintOf<Magnet> {
 TEST_CASE("sensors, and categories for which Box2D has no bit, are refused") {
   Scene sensing, filtering;
   sensing.add({.shapes = {box(1, 1)}, .sensor = true});
-  filtering.add({.shapes = {box(1, 1)}, .category = 1u << 16});
+  filtering.add({.shapes = {box(1, 1)}, .filter = {.category = 1u << 16}});
   CHECK(refusal(sensing) == "Box2DWorld: sensor must be false: sensors are not taken over, got true");
   CHECK(refusal(filtering) ==
         "Box2DWorld: category must be of the first 16 bits, as Box2D 2.4.1 has no more, got 65536");

@@ -108,9 +108,11 @@ TEST_CASE(
   const double velocity = 6;  // [m/s]
   const double radius = 0.5;  // [m]
   Scene scene;
-  scene.add_ground({.friction = 0.2});
-  const BodyId disc = scene.add(
-      {.shapes = {circle(radius)}, .position = {0, radius}, .velocity = {velocity, 0}, .friction = 0.2});
+  scene.add_ground({.material = {.friction = 0.2}});
+  const BodyId disc = scene.add({.shapes = {circle(radius)},
+                                 .position = {0, radius},
+                                 .velocity = {velocity, 0},
+                                 .material = {.friction = 0.2}});
   Engines engines(scene);
   engines.step(120);
 

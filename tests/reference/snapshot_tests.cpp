@@ -53,9 +53,9 @@ TEST_CASE("masses, inertias, centres of mass and poses are Cairn's in Box2D, to 
 
 TEST_CASE("a box at rest is carried by two contacts that add up to m g dt, from the ground to the box") {
   Scene scene;
-  scene.add_ground({.friction = 0.4});
+  scene.add_ground({.material = {.friction = 0.4}});
   const BodyId resting =
-      scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = mass, .friction = 0.9});
+      scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = mass, .material = {.friction = 0.9}});
   Engines engines(scene, {.velocity_iterations = 100});  // the first frame converges, and the box stays
   engines.step();
   CHECK(snapshot(engines.cairn).contacts.front().is_new);
@@ -93,10 +93,15 @@ TEST_CASE("friction on a box that slides to the right is -mu m g dt, whichever b
   using Creation = Box2DSettings::Creation;
   for (const Order order : {Order::box_last, Order::box_first}) {
     for (const Creation creation : {Creation::first_first, Creation::last_first}) {
-      const BodySpec sliding = {
-          .shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {5, 0}, .mass = mass, .friction = 0.3};
-      const BodySpec floor = {
-          .type = BodyType::static_body, .shapes = {box(40, 1)}, .position = {0, -0.5}, .friction = 0.3};
+      const BodySpec sliding = {.shapes = {box(1, 1)},
+                                .position = {0, 0.5},
+                                .velocity = {5, 0},
+                                .mass = mass,
+                                .material = {.friction = 0.3}};
+      const BodySpec floor = {.type = BodyType::static_body,
+                              .shapes = {box(40, 1)},
+                              .position = {0, -0.5},
+                              .material = {.friction = 0.3}};
       Scene scene;
       scene.add(order == Order::box_first ? sliding : floor);
       scene.add(order == Order::box_first ? floor : sliding);

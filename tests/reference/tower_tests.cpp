@@ -14,12 +14,12 @@ enum class Rotation { free, fixed };
 /// Ten boxes of 1 kg, each touching the next one exactly.
 Scene tower(Rotation rotation, bool warm_start) {
   Scene scene({.dt = dt, .stabilization = {.baumgarte = 0}, .warm_start = warm_start});
-  scene.add_ground({.friction = 0.6});
+  scene.add_ground({.material = {.friction = 0.6}});
   for (int i = 0; i < boxes; ++i) {
     scene.add({.shapes = {box(1, 1)},
                .position = {0, 0.5 + i},
                .mass = 1,
-               .friction = 0.6,
+               .material = {.friction = 0.6},
                .fixed_rotation = rotation == Rotation::fixed});
   }
   return scene;

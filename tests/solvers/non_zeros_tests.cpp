@@ -113,12 +113,12 @@ TEST_CASE("the counts are those of the dense matrices") {
 TEST_CASE("a world's pyramid has the non-zeros of the one written by hand") {
   const int n = 10;
   Scene scene;
-  scene.add_ground({.friction = 0});
+  scene.add_ground({.material = {.friction = 0}});
   for (int level = 0; level < n; ++level) {
     for (int i = 0; i + level < n; ++i) {
       // A spacing of 1.1 m, so that neighbours do not touch.
       const double x = 1.1 * (i + 0.5 * level + 0.5);
-      scene.add({.shapes = {box(1, 1)}, .position = {x, level + 0.5}, .friction = 0});
+      scene.add({.shapes = {box(1, 1)}, .position = {x, level + 0.5}, .material = {.friction = 0}});
     }
   }
   const VelocityProblem<double> problem = World<double>(scene).velocity_problem();

@@ -210,7 +210,7 @@ TEST_CASE("what a motor and a body that moves by itself give is explained") {
   // An elastic ball meets a wall that comes at 500 m/s: 1000 m/s.
   Scene met({.gravity = {0, 0}, .dt = 1e-4});
   met.add({.type = BodyType::kinematic, .shapes = {box(1, 4)}, .velocity = {500, 0}});
-  met.add({.shapes = {circle(0.5)}, .position = {1.2, 0}, .restitution = 1});
+  met.add({.shapes = {circle(0.5)}, .position = {1.2, 0}, .material = {.restitution = 1}});
   const TrialResult result = run_trial(met, {.dt = 1e-4}, {.seconds = 0.01});
   CHECK(result.status == TrialStatus::ok);
   CHECK(result.farthest > 1);

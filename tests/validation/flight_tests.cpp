@@ -22,7 +22,7 @@ World<double> dropped_ball(const BallSpec& spec) {
   scene.add({.shapes = {circle(ball_radius)},
              .position = {0, spec.height + ball_radius},
              .mass = 1,
-             .restitution = spec.restitution});
+             .material = {.restitution = spec.restitution}});
   return World(scene);
 }
 

@@ -9,14 +9,14 @@ TEST_CASE("a step of a world says that the rod's contact went in circles") {
   for (const double mu : {1.2, 1.45}) {
     const double angle = std::atan(2.0), thickness = 1e-6;
     Scene scene({.dt = 0.001});
-    scene.add_ground({.friction = mu});
+    scene.add_ground({.material = {.friction = mu}});
     const double height = (std::sin(angle) + thickness * std::cos(angle)) / 2;
     scene.add({.shapes = {box(1, thickness)},
                .position = {0, height},
                .angle = -angle,
                .velocity = {-1, 0},
                .mass = 1,
-               .friction = mu});
+               .material = {.friction = mu}});
     for (const SolverMaker<double>& make : all_solvers<double>()) {
       World world(scene);
       const auto solver = make({.iterations = 5000, .patience = 3});

@@ -89,8 +89,9 @@ TEST_CASE("a kinematic belt carries a box along, by friction up to mu g and neve
                                  .shapes = {box(40, 1)},
                                  .position = {0, -0.5},
                                  .velocity = {speed, 0},
-                                 .friction = mu});
-  const BodyId load = scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .mass = 1, .friction = mu});
+                                 .material = {.friction = mu}});
+  const BodyId load =
+      scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .mass = 1, .material = {.friction = mu}});
   World world(scene);
   SequentialImpulse<double> solver({.iterations = 50});
   run(world, solver, 0.2);

@@ -24,7 +24,8 @@ PushedPair pushed_pair(bool lower_first) {
   Scene scene;
   scene.add_ground();
   const BodySpec below = {.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {1, 0}, .mass = 2};
-  const BodySpec above = {.shapes = {box(1, 0.6)}, .position = {0.1, 1.3}, .mass = 1, .friction = 0.3};
+  const BodySpec above = {
+      .shapes = {box(1, 0.6)}, .position = {0.1, 1.3}, .mass = 1, .material = {.friction = 0.3}};
   const BodyId first = scene.add(lower_first ? below : above);
   const BodyId second = scene.add(lower_first ? above : below);
   return {World<double>(scene), lower_first ? first : second, lower_first ? second : first};

@@ -125,7 +125,8 @@ Scene chain_to_count() {
     scene.join<RevoluteJoint>(pin);
     above = link;
   }
-  scene.add({.shapes = {circle(0.5)}, .position = {-5, -19.5}, .velocity = {1, 0}, .angular_damping = 0.1});
+  scene.add(
+      {.shapes = {circle(0.5)}, .position = {-5, -19.5}, .velocity = {1, 0}, .damping = {.angular = 0.1}});
   return scene;
 }
 

@@ -62,14 +62,14 @@ TEST_CASE("a changed body has the mass of its new shapes, type and density, and 
   BodySpec spec = scene.bodies()[body].spec;
   spec.shapes = {box(2, 3)};
   spec.density = 5;
-  spec.friction = 0.25;
+  spec.material.friction = 0.25;
   scene.change(body, spec);
   const SceneBody& now = scene.bodies()[body];
   CHECK(now.mass == doctest::Approx(30).epsilon(1e-14));
   CHECK(now.inertia == doctest::Approx(30 * (4.0 + 9.0) / 12).epsilon(1e-14));
   CHECK((now.pose.position - Vec2<double>(2, 3)).norm() <= 1e-15);
   CHECK(now.pose.angle == 0.5);
-  CHECK(now.spec.friction == 0.25);
+  CHECK(now.spec.material.friction == 0.25);
   spec = now.spec;
   spec.type = BodyType::kinematic;
   scene.change(body, spec);

@@ -27,7 +27,7 @@ double kept_speed(Making making, int rate, int corners, const NamedPolicy& polic
   add_track(scene, making, bowl_points(corners, angle));
   const Vec2<double> along(std::cos(angle), -std::sin(angle));
   const Vec2<double> start = bowl_points(corners, angle)[0] + 0.05 * along + radius * perpendicular(along);
-  const BodyId body = scene.add({.shapes = {circle(radius)}, .position = start, .friction = 0});
+  const BodyId body = scene.add({.shapes = {circle(radius)}, .position = start, .material = {.friction = 0}});
   World<double> world(scene);
   for (int i = 0; i < 3 * rate / 2; ++i) world.step(solver);
   CHECK(world.bodies().pose[body].position.x() > 0);
@@ -167,7 +167,8 @@ TEST_CASE("a disc that rolls off the end of a chain goes on as the points behind
   const auto place_after = [](const ChainEnds& ends) {
     Scene scene({.dt = 1.0 / 960});
     scene.add(still(chain({{0, 0}, {-4, 0}}, ends)));
-    scene.add({.shapes = {circle(0.5)}, .position = {-0.5, 0.5}, .velocity = {1, 0}, .friction = 0});
+    scene.add(
+        {.shapes = {circle(0.5)}, .position = {-0.5, 0.5}, .velocity = {1, 0}, .material = {.friction = 0}});
     return pose_of(world_after(scene, 960), {2});
   };
   // It comes to the end after 0.5 s. Straight on, it then falls freely: g t^2 / 2 = 1.25 m, x = 0.5 m.
@@ -192,7 +193,8 @@ TEST_CASE("a world whose tiles are changed goes on as one that was made so") {
   Scene scene;
   const BodyId first = scene.add(still(moved(box(2, 1), {-1, -0.5})));
   const BodyId second = scene.add(still(moved(box(2, 1), {1, -0.5})));
-  scene.add({.shapes = {box(1, 1)}, .position = {-0.9, 0.5}, .velocity = {2, 0}, .friction = 0});
+  scene.add(
+      {.shapes = {box(1, 1)}, .position = {-0.9, 0.5}, .velocity = {2, 0}, .material = {.friction = 0}});
   World<double> world(scene);
   SequentialImpulse<double> solver;
   for (int i = 0; i < 20; ++i) world.step(solver);

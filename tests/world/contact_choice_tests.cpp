@@ -16,7 +16,7 @@ World<double> bullet_and_wall(double speed, double restitution = 0) {
   scene.add({.type = BodyType::static_body,
              .shapes = {box(wall_thickness, 4)},
              .position = {wall_thickness / 2, 0},
-             .restitution = restitution});
+             .material = {.restitution = restitution}});
   scene.add({.shapes = {circle(0.05)}, .position = {-2, 0}, .velocity = {speed, 0}});
   return World(scene);
 }
@@ -47,8 +47,10 @@ TEST_CASE("bodies touch only if each accepts the other's category") {
   const auto rows_between = [](std::uint32_t category_a, std::uint32_t with_a, std::uint32_t category_b,
                                std::uint32_t with_b) {
     Scene scene;
-    scene.add({.shapes = {circle(1)}, .category = category_a, .collides_with = with_a});
-    scene.add({.shapes = {circle(1)}, .position = {1.5, 0}, .category = category_b, .collides_with = with_b});
+    scene.add({.shapes = {circle(1)}, .filter = {.category = category_a, .collides_with = with_a}});
+    scene.add({.shapes = {circle(1)},
+               .position = {1.5, 0},
+               .filter = {.category = category_b, .collides_with = with_b}});
     World world(scene);
     take_steps(world, 1);
     return world.last_step().problem.row_count();
@@ -82,7 +84,7 @@ TEST_CASE("joined bodies collide where the scene lets them") {
   for (const JointCollision collision : {JointCollision::as_usual, JointCollision::off, JointCollision::on}) {
     Scene scene({.gravity = {0, 0}});
     const BodyId a = scene.add({.shapes = {circle(1)}});
-    const BodyId b = scene.add({.shapes = {circle(1)}, .position = {1.5, 0}, .friction = 0});
+    const BodyId b = scene.add({.shapes = {circle(1)}, .position = {1.5, 0}, .material = {.friction = 0}});
     scene.join<DistanceJoint>({.a = a, .b = b, .anchor_a = {0, 0}, .anchor_b = {1.5, 0}}, collision);
     World world(scene);
     take_steps(world, 1);
@@ -95,9 +97,9 @@ TEST_CASE("joined bodies collide where the scene lets them") {
 TEST_CASE("one friction row a manifold gives the forces of two, in fewer rows and with full rank") {
   const auto slide = [](FrictionRows friction_rows) {
     Scene scene({.gravity = {6, -8}, .friction_rows = friction_rows});
-    scene.add_ground({.friction = 0.5});
+    scene.add_ground({.material = {.friction = 0.5}});
     for (int i = 0; i < 2; ++i) {
-      scene.add({.shapes = {box(2, 1)}, .position = {0, 0.5 + i}, .mass = 1, .friction = 0.5});
+      scene.add({.shapes = {box(2, 1)}, .position = {0, 0.5 + i}, .mass = 1, .material = {.friction = 0.5}});
     }
     return World<double>(scene);
   };

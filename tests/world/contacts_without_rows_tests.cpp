@@ -131,7 +131,10 @@ TEST_CASE_TEMPLATE("joints and rebounds leave contacts without rows: to the same
         check_steps<Real>(mixed, settings, Momentum::nesterov, LaneSet::baseline);
       };
       Scene mixed = scene;
-      mixed.add({.shapes = {circle(0.5)}, .position = {0.3, 20}, .velocity = {0, -9}, .restitution = 0.5});
+      mixed.add({.shapes = {circle(0.5)},
+                 .position = {0.3, 20},
+                 .velocity = {0, -9},
+                 .material = {.restitution = 0.5}});
       check(mixed);
       mixed.join<DistanceJoint>({.a = BodyId{3}, .b = BodyId{9}, .anchor_a = {0, 9}, .anchor_b = {2, 9}});
       mixed.join<RevoluteJoint>(

@@ -45,14 +45,14 @@ Scene passing_pair(Dice& dice, BodyType type, bool turns) {
   scene.add({.type = type,
              .shapes = {dice.shape(size * std::pow(10.0, dice.between(-0.5, 0.5)))},
              .angle = dice.between(0, 2 * pi),
-             .friction = 0,
+             .material = {.friction = 0},
              .fixed_rotation = true});
   scene.add({.shapes = {dice.shape(size)},
              .position = -behind * way + aside * perpendicular(way),
              .angle = dice.between(0, 2 * pi),
              .velocity = speed * way,
              .angular_velocity = turns ? dice.between(-5, 5) : 0,
-             .friction = 0,
+             .material = {.friction = 0},
              .fixed_rotation = true});
   return scene;
 }

@@ -13,7 +13,7 @@ inline const char* name_of(Making making) {
 }
 
 inline BodySpec still(const Shape<double>& shape, double friction = 0) {
-  return {.type = BodyType::static_body, .shapes = {shape}, .friction = friction};
+  return {.type = BodyType::static_body, .shapes = {shape}, .material = {.friction = friction}};
 }
 
 /// Ground whose surface goes through these points, from left to right; as tiles, which are 1 m thick, only

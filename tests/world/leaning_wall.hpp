@@ -8,12 +8,13 @@ namespace cairn::testing {
 /// A wall that leans, with smooth boxes and discs in it, on ground that slopes: it slides, tips and falls.
 inline Scene leaning_wall(const SceneSettings& settings) {
   Scene scene(settings);
-  scene.add_ground({.friction = 0.5});
+  scene.add_ground({.material = {.friction = 0.5}});
   scene.add({.type = BodyType::static_body, .shapes = {box(8.0, 1.0)}, .position = {6, 0}, .angle = 0.3});
   for (int i = 0; i < 60; ++i) {
     const Vec2<double> position = {0.99 * (i % 10) + 0.15 * (i / 10), 2.5 + 0.95 * (i / 10)};
     const bool is_disc = i % 7 == 3;
-    BodySpec body = {.position = position, .angle = 0.02 * (i % 3), .friction = i % 5 == 0 ? 0.0 : 0.4};
+    BodySpec body = {
+        .position = position, .angle = 0.02 * (i % 3), .material = {.friction = i % 5 == 0 ? 0.0 : 0.4}};
     if (is_disc) {
       body.shapes = {circle(0.45)};
     } else {

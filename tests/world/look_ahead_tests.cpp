@@ -81,7 +81,8 @@ TEST_CASE("what is set moving within a step meets the next body in that step") {
   for (const double restitution : {0.0, 0.9}) {
     for (int start = 0; start < 8; ++start) {
       Scene scene({.gravity = {0, 0}});
-      const BodySpec puck{.shapes = {circle(0.4)}, .mass = 1, .friction = 0, .restitution = restitution};
+      const BodySpec puck{
+          .shapes = {circle(0.4)}, .mass = 1, .material = {.friction = 0, .restitution = restitution}};
       for (int i = 0; i < 4; ++i) {
         BodySpec next = puck;
         next.position = {0.862 * i, 0};

@@ -93,8 +93,8 @@ TEST_CASE("a substep that ends in no number leaves the impulses of the substep b
   // the second substep of the 61st step.
   const double most = std::numeric_limits<double>::max();
   Scene scene = pyramid_and_disc(in_substeps(3));
-  const BodyId lost =
-      scene.add({.shapes = {circle(0.1)}, .position = {0, 9}, .gravity_scale = 0, .collides_with = 0});
+  const BodyId lost = scene.add(
+      {.shapes = {circle(0.1)}, .position = {0, 9}, .gravity_scale = 0, .filter = {.collides_with = 0}});
   WithRowsAndWithout<double> twins(scene);
   twins.change([&](World<double>& world) { world.set_velocity(lost, {most / 181.5 * 180, 0, 0}); });
   for (int step = 1; step <= 61; ++step) CHECK(twins.step() == (step < 61));

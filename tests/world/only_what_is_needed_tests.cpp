@@ -13,7 +13,7 @@ namespace {
 /// Boxes one on the other, on the ground.
 Scene tower_of_boxes(int boxes, double friction, const SceneSettings& settings = {}) {
   BodySpec lowest = samples::standing_box();
-  lowest.friction = friction;
+  lowest.material.friction = friction;
   return samples::stack(boxes, settings, lowest);
 }
 
@@ -38,7 +38,7 @@ std::set<std::string> parts_in_use(const Scene& scene) {
 
 /// A disc that needs nothing at all.
 BodySpec bare_disc(const Vec2<double>& position) {
-  return {.shapes = {circle(0.5)}, .position = position, .friction = 0, .fixed_rotation = true};
+  return {.shapes = {circle(0.5)}, .position = position, .material = {.friction = 0}, .fixed_rotation = true};
 }
 
 Scene bare_scene(SceneSettings settings = {}) {
@@ -82,10 +82,10 @@ TEST_CASE("a tower of n boxes has 2 n normal rows, and 2 n or n or 0 friction ro
 TEST_CASE("only the pairs that rub have friction rows, in a scene where some do") {
   // From below: 0.5 on 0.5, 0 on 0.5, 0.5 on 0. One of three interfaces rubs, with two points.
   Scene scene;
-  scene.add_ground({.friction = 0.5});
+  scene.add_ground({.material = {.friction = 0.5}});
   const List<double> frictions = {0.5, 0, 0.5};
   for (int i = 0; i < frictions.size(); ++i) {
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .friction = frictions[i]});
+    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .material = {.friction = frictions[i]}});
   }
   CHECK(report_of_one_step(scene).rows == 3 * 2 + 2);
 }
@@ -176,7 +176,7 @@ TEST_CASE("each part of a scene switches on its own lines of the plan, and no ot
   disc.fixed_rotation = false;
   CHECK(parts_in_use(scene_of(disc)) == Parts{"rotation"});
   disc = bare_disc({0, 0});
-  disc.linear_damping = 0.1;
+  disc.damping.linear = 0.1;
   CHECK(parts_in_use(scene_of(disc)) == Parts{"damping"});
 
   Scene second = scene_of(bare_disc({0, 0}));
@@ -185,11 +185,11 @@ TEST_CASE("each part of a scene switches on its own lines of the plan, and no ot
   second.add(bare_disc({3, 0}));
   CHECK(parts_in_use(second) == Parts{"collision"});
   disc = bare_disc({6, 0});
-  disc.restitution = 0.5;
+  disc.material.restitution = 0.5;
   second.add(disc);
   CHECK(parts_in_use(second) == Parts{"collision", "restitution"});
   disc = bare_disc({9, 0});
-  disc.friction = 0.5;
+  disc.material.friction = 0.5;
   second.add(disc);
   CHECK(parts_in_use(second) == Parts{"collision", "restitution"});  // mu is 0 on the other side still
   disc.position = {12, 0};

@@ -9,9 +9,11 @@ namespace {
 /// A falling disc on the ground that needs as little as can be: no friction, no rotation.
 Scene plain_scene(double friction_of_ground, double friction_of_disc) {
   Scene scene({.warm_start = false});
-  scene.add_ground({.friction = friction_of_ground});
-  scene.add(
-      {.shapes = {circle(0.5)}, .position = {0, 0.5}, .friction = friction_of_disc, .fixed_rotation = true});
+  scene.add_ground({.material = {.friction = friction_of_ground}});
+  scene.add({.shapes = {circle(0.5)},
+             .position = {0, 0.5},
+             .material = {.friction = friction_of_disc},
+             .fixed_rotation = true});
   return scene;
 }
 
@@ -19,10 +21,10 @@ Scene plain_scene(double friction_of_ground, double friction_of_disc) {
 Scene rich_scene() {
   Scene scene(
       {.substeps = 2, .stabilization = {.policy = StabilizationPolicy::soft}, .sleeping = Sleeping{}});
-  scene.add_ground({.friction = 0.5});
+  scene.add_ground({.material = {.friction = 0.5}});
   const BodyId bar =
-      scene.add({.shapes = {box(1, 1), circle(1, {1, 0})}, .position = {0, 3}, .angular_damping = 0.1});
-  scene.add({.shapes = {capsule({0, 0}, {1, 0}, 0.2)}, .position = {0, 5}, .restitution = 0.5});
+      scene.add({.shapes = {box(1, 1), circle(1, {1, 0})}, .position = {0, 3}, .damping = {.angular = 0.1}});
+  scene.add({.shapes = {capsule({0, 0}, {1, 0}, 0.2)}, .position = {0, 5}, .material = {.restitution = 0.5}});
   scene.add({.type = BodyType::static_body, .shapes = {segment({-5, 0}, {-5, 5})}});
   scene.join<RevoluteJoint>({.a = ground, .b = bar, .anchor = {0, 4}});
   return scene;
@@ -117,9 +119,12 @@ TEST_CASE("many shapes are sorted, few are compared each with each") {
 
 TEST_CASE("bodies whose rotation is fixed are counted, and never turn") {
   Scene scene;
-  scene.add_ground({.friction = 1});
-  const BodyId sledge = scene.add(
-      {.shapes = {box(1, 4)}, .position = {0, 2}, .velocity = {3, 0}, .friction = 1, .fixed_rotation = true});
+  scene.add_ground({.material = {.friction = 1}});
+  const BodyId sledge = scene.add({.shapes = {box(1, 4)},
+                                   .position = {0, 2},
+                                   .velocity = {3, 0},
+                                   .material = {.friction = 1},
+                                   .fixed_rotation = true});
   scene.add({.shapes = {circle(1)}, .position = {5, 1}});
   World<double> world = world_after(scene, 30);
   CHECK(world.bodies().pose[sledge].angle == 0);
@@ -135,7 +140,7 @@ TEST_CASE("collision is left out where the categories of all bodies that could m
     return make_plan(scene).collision;
   };
   const BodySpec any = {.shapes = {circle(0.5)}};
-  const BodySpec link = {.shapes = {circle(0.5)}, .category = 2, .collides_with = ~2u};
+  const BodySpec link = {.shapes = {circle(0.5)}, .filter = {.category = 2, .collides_with = ~2u}};
   BodySpec wall = any, post = link;
   wall.type = post.type = BodyType::static_body;
   CHECK(collides(any, any));

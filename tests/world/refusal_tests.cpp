@@ -56,6 +56,14 @@ std::function<void(double)> of(Member BodySpec::*field) {
     Scene().add(spec);
   };
 }
+template <typename Part, typename Member>
+std::function<void(double)> of(Part BodySpec::*part, Member Part::*field) {
+  return [part, field](double value) {
+    BodySpec spec{.shapes = {circle(1)}};
+    set(spec.*part.*field, value);
+    Scene().add(spec);
+  };
+}
 template <typename Member>
 std::function<void(double)> of(Member SceneSettings::*field) {
   return [field](double value) {
@@ -79,6 +87,13 @@ std::function<void(double)> of(double GroundSpec::*field) {
     Scene().add_ground(spec);
   };
 }
+std::function<void(double)> of(Material GroundSpec::*part, double Material::*field) {
+  return [part, field](double value) {
+    GroundSpec spec;
+    spec.*part.*field = value;
+    Scene().add_ground(spec);
+  };
+}
 
 Scene scene_with_two_balls() {
   Scene scene;
@@ -91,17 +106,18 @@ Scene scene_with_two_balls() {
 
 TEST_CASE("a field of a body, of settings or of a ground that cannot be is refused by name") {
   const std::string share = "in [0, 1]", mu = "from 0 to 1e6";
-  check_refusals("Scene::add",
-                 {{"angle", "a finite number of rad", of(&BodySpec::angle)},
-                  {"angular_velocity", "a finite number of rad/s", of(&BodySpec::angular_velocity)},
-                  {"gravity_scale", "a finite number", of(&BodySpec::gravity_scale)},
-                  {"mass", "from 1e-15 to 1e15 kg", of(&BodySpec::mass), {0, -1, 1e-16, 1e16}},
-                  {"inertia", "from 1e-15 to 1e15 kg m^2", of(&BodySpec::inertia), {0, -1, 1e-16, 1e16}},
-                  {"density", "> 0 kg/m^2 and finite", of(&BodySpec::density), {0, -1}},
-                  {"friction", mu, of(&BodySpec::friction), {-0.1, 1.1e6}},
-                  {"restitution", share, of(&BodySpec::restitution), {-0.1, 1.0001}},
-                  {"linear_damping", ">= 0 1/s and finite", of(&BodySpec::linear_damping), {-0.1}},
-                  {"angular_damping", ">= 0 1/s and finite", of(&BodySpec::angular_damping), {-0.1}}});
+  check_refusals(
+      "Scene::add",
+      {{"angle", "a finite number of rad", of(&BodySpec::angle)},
+       {"angular_velocity", "a finite number of rad/s", of(&BodySpec::angular_velocity)},
+       {"gravity_scale", "a finite number", of(&BodySpec::gravity_scale)},
+       {"mass", "from 1e-15 to 1e15 kg", of(&BodySpec::mass), {0, -1, 1e-16, 1e16}},
+       {"inertia", "from 1e-15 to 1e15 kg m^2", of(&BodySpec::inertia), {0, -1, 1e-16, 1e16}},
+       {"density", "> 0 kg/m^2 and finite", of(&BodySpec::density), {0, -1}},
+       {"friction", mu, of(&BodySpec::material, &Material::friction), {-0.1, 1.1e6}},
+       {"restitution", share, of(&BodySpec::material, &Material::restitution), {-0.1, 1.0001}},
+       {"linear_damping", ">= 0 1/s and finite", of(&BodySpec::damping, &Damping::linear), {-0.1}},
+       {"angular_damping", ">= 0 1/s and finite", of(&BodySpec::damping, &Damping::angular), {-0.1}}});
   check_vector_refusals("Scene::add", {{"position", "finite numbers of m", of(&BodySpec::position)},
                                        {"velocity", "finite numbers of m/s", of(&BodySpec::velocity)}});
   using How = Stabilization;
@@ -116,8 +132,8 @@ TEST_CASE("a field of a body, of settings or of a ground that cannot be is refus
   check_refusals("Scene::add_ground",
                  {{"height", "a finite number of m", of(&GroundSpec::height)},
                   {"half_width", "> 0 m and finite", of(&GroundSpec::half_width), {0, -1}},
-                  {"friction", mu, of(&GroundSpec::friction), {-0.1, 1.1e6}},
-                  {"restitution", share, of(&GroundSpec::restitution), {-0.1, 2}}});
+                  {"friction", mu, of(&GroundSpec::material, &Material::friction), {-0.1, 1.1e6}},
+                  {"restitution", share, of(&GroundSpec::material, &Material::restitution), {-0.1, 2}}});
 }
 
 TEST_CASE("anchors and lengths of joints that cannot be are refused by name") {

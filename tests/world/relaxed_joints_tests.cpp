@@ -15,7 +15,7 @@ SceneSettings plain_baumgarte(int substeps = 1) {
 Scene hanging_rods(const SceneSettings& settings) {
   Scene scene(settings);
   const BodySpec rod = {
-      .shapes = {box(0.05, 1)}, .position = {0, -0.5}, .linear_damping = 1, .angular_damping = 1};
+      .shapes = {box(0.05, 1)}, .position = {0, -0.5}, .damping = {.linear = 1, .angular = 1}};
   samples::add_chain(scene, 20, rod, {0, -1});
   return scene;
 }
@@ -38,7 +38,7 @@ Scene net_of_discs(int side, const SceneSettings& settings) {
       scene.add({.type = fixed ? BodyType::static_body : BodyType::dynamic,
                  .shapes = {circle(0.4)},
                  .position = {1.0 * column, -1.0 * row},
-                 .collides_with = 0});
+                 .filter = {.collides_with = 0}});
       if (column > 0)
         scene.join<RevoluteJoint>(
             {.a = id(row, column - 1), .b = id(row, column), .anchor = {column - 0.5, -1.0 * row}});

@@ -67,7 +67,7 @@ Scene scaled_ball(const Scale& scale) {
   scene.add({.shapes = {circle(scale.length / 2)},
              .position = scale.at(0, 2),
              .velocity = scale.speed(1.5, 0),
-             .restitution = 0.75});
+             .material = {.restitution = 0.75}});
   return scene;
 }
 
@@ -166,7 +166,10 @@ TEST_CASE("an elastic ball that nothing pulls is not stopped by a wall, however 
   for (const double speed : {0.4, 1e-3, 1e-6}) {
     Scene scene({.gravity = {0, 0}});
     scene.add({.type = BodyType::static_body, .shapes = {box(1, 3)}, .position = {2, 0}});
-    scene.add({.shapes = {circle(0.5)}, .position = {0.99, 0}, .velocity = {speed, 0}, .restitution = 1});
+    scene.add({.shapes = {circle(0.5)},
+               .position = {0.99, 0},
+               .velocity = {speed, 0},
+               .material = {.restitution = 1}});
     World<double> world(scene);
     world.set_dt(0.001 / speed);  // a millimetre a step
     take_steps(world, 20);

@@ -8,14 +8,10 @@ namespace {
 
 /// A disc that comes down on the ground at 2 m/s, touching; returns its velocity after one step without
 /// gravity.
-Vec3<double> landed(const BodySpec& material, const GroundSpec& surface, double threshold) {
+Vec3<double> landed(const Material& material, const Material& surface, double threshold) {
   Scene scene({.gravity = {0, 0}, .restitution_threshold = threshold});
-  scene.add_ground(surface);
-  BodySpec disc = material;
-  disc.shapes.push_back(circle(0.5));
-  disc.position = {0, 0.5};
-  disc.velocity = {9, -2};
-  scene.add(disc);
+  scene.add_ground({.material = surface});
+  scene.add({.shapes = {circle(0.5)}, .position = {0, 0.5}, .velocity = {9, -2}, .material = material});
   World<double> world = world_after(scene, 1);
   return world.bodies().velocity[{1}];
 }
@@ -99,8 +95,7 @@ TEST_CASE("damping divides velocities by 1 + c dt in every step, and never turns
     scene.add({.shapes = {circle(1)},
                .velocity = {3, 4},
                .angular_velocity = 5,
-               .linear_damping = c,
-               .angular_damping = 2 * c});
+               .damping = {.linear = c, .angular = 2 * c}});
     World world(scene);
     SequentialImpulse<double> solver;
     for (int k = 1; k <= 20; ++k) {

@@ -32,7 +32,7 @@ Vec3<double> velocity_after(const SeamRun& run, Solver<double>& solver) {
                       .position = {-0.76, radius - 0.004},
                       .velocity = {run.speed, 0},
                       .angular_velocity = run.rolls ? -run.speed / radius : 0,
-                      .friction = run.friction};
+                      .material = {.friction = run.friction}};
   if (run.is_first) scene.add(body);
   add_track(scene, run.making, level_points(16, 0.25), run.friction);
   if (!run.is_first) scene.add(body);
@@ -52,10 +52,12 @@ TEST_CASE("a box keeps its speed over the tiles of a platform that moves") {
     List<Shape<double>> tiles;
     for (int i = 0; i < 16; ++i) tiles.push_back(moved(box(0.5, 0.5), {0.5 * i, 0}));
     Scene scene({.gravity = {0, 0}});
-    scene.add({.type = BodyType::kinematic, .shapes = tiles, .velocity = speed, .friction = 0});
+    scene.add({.type = BodyType::kinematic, .shapes = tiles, .velocity = speed, .material = {.friction = 0}});
     const Vec2<double> own = speed + Vec2<double>(4, 0);
-    scene.add(
-        {.shapes = {box(0.8, 0.4)}, .position = {0, 0.25 + 0.2 - 0.004}, .velocity = own, .friction = 0});
+    scene.add({.shapes = {box(0.8, 0.4)},
+               .position = {0, 0.25 + 0.2 - 0.004},
+               .velocity = own,
+               .material = {.friction = 0}});
     World<double> world = world_after(std::move(scene), 60);
     CAPTURE(speed.x());
     CAPTURE(speed.y());
@@ -144,8 +146,8 @@ TEST_CASE_TEMPLATE(
         CAPTURE(shape_name(shape));
         Scene scene;
         add_track(scene, making, {{-60, off}, {-0.4, 0}, {0, off}, {0.4, -off}, {0.8, 0}, {60, off}});
-        const BodyId body =
-            scene.add({.shapes = {shape}, .position = {-1, 0.497}, .velocity = {5, 0}, .friction = 0});
+        const BodyId body = scene.add(
+            {.shapes = {shape}, .position = {-1, 0.497}, .velocity = {5, 0}, .material = {.friction = 0}});
         World<Real> world(scene);
         SequentialImpulse<Real> solver;
         double lowest = 1;
@@ -174,7 +176,7 @@ TEST_CASE("a step of 0.2 m between tiles stops a box that cannot tip") {
     const BodyId body = scene.add({.shapes = {box(1, 1)},
                                    .position = {0.5, 0.496},
                                    .velocity = {3, 0},
-                                   .friction = 0,
+                                   .material = {.friction = 0},
                                    .fixed_rotation = true});
     World<double> world(scene);
     double farthest = 0;
@@ -195,15 +197,15 @@ TEST_CASE("what another body is not to meet does not smooth the edge of what it 
   scene.add(still(moved(box(4, 1), {-2, -0.5})));            // up to x = 0
   BodySpec other = still(moved(box(4, 1.2), {2, -0.4}));     // higher by 0.2 m
   BodySpec between = still(moved(box(4, 1.2), {-2, -0.4}));  // level with it, and not met
-  between.category = 2;
+  between.filter.category = 2;
   scene.add(other);
   scene.add(between);
   const BodyId body = scene.add({.shapes = {box(1, 1)},
                                  .position = {-1.5, 0.5},
                                  .velocity = {3, 0},
-                                 .friction = 0,
+                                 .material = {.friction = 0},
                                  .fixed_rotation = true,
-                                 .collides_with = 1});
+                                 .filter = {.collides_with = 1}});
   CHECK(pose_of(world_after(scene, 240), body).position.x() < -0.49);
 }
 
@@ -220,8 +222,10 @@ TEST_CASE("nothing falls through a block of tiles, however deep it is put") {
         for (int i = 0; i < 7; ++i) {
           for (int k = 0; k < 2; ++k) scene.add(still(moved(box(1, 1), {i - 3.0, -0.5 - k})));
         }
-        const BodyId body = scene.add(
-            {.shapes = {shape}, .position = {x, 0.2 - depth}, .friction = 0.5, .fixed_rotation = true});
+        const BodyId body = scene.add({.shapes = {shape},
+                                       .position = {x, 0.2 - depth},
+                                       .material = {.friction = 0.5},
+                                       .fixed_rotation = true});
         CHECK(pose_of(world_after(scene, 240), body).position.y() > -0.6);
       }
     }

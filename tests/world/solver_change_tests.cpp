@@ -10,7 +10,7 @@ namespace {
 /// Boxes side by side, and two on top of two of them.
 Scene boxes_side_by_side(const SceneSettings& settings) {
   Scene scene(settings);
-  scene.add_ground({.friction = 0.6});
+  scene.add_ground({.material = {.friction = 0.6}});
   samples::add_line(scene, 10, samples::standing_box(), {2, 0});
   samples::add_line(scene, 2, {.shapes = {box(1, 1)}, .position = {0, 1.5}}, {2, 0});
   return scene;
@@ -77,8 +77,8 @@ TEST_CASE("after a step that ends in no number, the next one begins from the imp
   const double most = std::numeric_limits<double>::max();
   for (const SceneSettings& settings : searches_in_substeps()) {
     Scene scene = boxes_side_by_side(settings);
-    const BodyId lost =
-        scene.add({.shapes = {circle(0.1)}, .position = {0, 9}, .gravity_scale = 0, .collides_with = 0});
+    const BodyId lost = scene.add(
+        {.shapes = {circle(0.1)}, .position = {0, 9}, .gravity_scale = 0, .filter = {.collides_with = 0}});
     WithRowsAndWithout<double> twins(scene);
     twins.steps(20);
     twins.change([&](World<double>& world) { world.set_velocity(lost, {most, 0, 0}); });

@@ -18,7 +18,7 @@ const double pop_rounding = 1e-13;  // [m] a few hundred steps, each with a roun
 World<double> sunken_ball(const Stabilization& stabilization, int substeps = 1) {
   Scene scene(
       {.gravity = {0, -pop_gravity}, .dt = pop_dt, .substeps = substeps, .stabilization = stabilization});
-  scene.add_ground({.friction = 0});
+  scene.add_ground({.material = {.friction = 0}});
   scene.add({.shapes = {circle(pop_radius)}, .position = {0, pop_radius - pop_depth}, .mass = 1});
   return World(scene);
 }
@@ -71,7 +71,7 @@ TEST_CASE("an overlap below g dt^2 / beta^2 creeps out by beta a step, and does 
         {.gravity = {0, -pop_gravity},
          .dt = pop_dt,
          .stabilization = {.policy = StabilizationPolicy::baumgarte, .slop = 0, .max_speed = uncapped}});
-    scene.add_ground({.friction = 0});
+    scene.add_ground({.material = {.friction = 0}});
     scene.add({.shapes = {circle(pop_radius)}, .position = {0, pop_radius - d}, .mass = 1});
     const double creeping = -d * (1 - beta) * (1 - beta), flying = -d * (1 - beta) + beta * d - fall;
     CHECK(pose_of(world_after(scene, 2), {1}).position.y() - pop_radius ==

@@ -14,9 +14,9 @@ Scene busy_scene(const SceneSettings& settings = {}) {
     scene.add({.shapes = {box(1, 0.8)},
                .position = {0.2 * i, 1 + 1.1 * i},
                .angle = 0.3 * i,
-               .linear_damping = 0.1});
+               .damping = {.linear = 0.1}});
   }
-  scene.add({.shapes = {circle(0.3)}, .position = {0.4, 7}, .restitution = 0.7});
+  scene.add({.shapes = {circle(0.3)}, .position = {0.4, 7}, .material = {.restitution = 0.7}});
   const BodyId bar = scene.add({.shapes = {capsule({-1, 0}, {1, 0}, 0.1)}, .position = {2.5, 2}});
   const BodyId ball = scene.add({.shapes = {circle(0.4)}, .position = {-3, 2}, .velocity = {4, 0}});
   scene.join<RevoluteJoint>({.a = ground, .b = bar, .anchor = {3, 2}});
@@ -80,8 +80,8 @@ TEST_CASE_TEMPLATE("velocity_problem is what the next step hands to its solver, 
 
 TEST_CASE("a step reports its rows, contact points and sweeps, and counts time") {
   Scene scene({.dt = 0.125});
-  scene.add_ground({.friction = 0.5});
-  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .friction = 0.5});
+  scene.add_ground({.material = {.friction = 0.5}});
+  scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .material = {.friction = 0.5}});
   World world(scene);
   SequentialImpulse<double> solver({.iterations = 7});
   const StepReport report = world.step(solver);

@@ -39,7 +39,7 @@ Scene plank_bridge(double heavy, int substeps) {
     const BodyId plank = scene.add({.shapes = {box(0.8, 0.1)},
                                     .position = {0.6 + i, 0},
                                     .mass = i == 2 ? heavy : 0.1,
-                                    .collides_with = 0});
+                                    .filter = {.collides_with = 0}});
     scene.join<DistanceJoint>(
         {.a = before, .b = plank, .anchor_a = end, .anchor_b = Vec2<double>(0.2 + i, 0)});
     end = {1.0 + i, 0};
@@ -68,7 +68,7 @@ List<BodyId> string_of_links(Scene& scene, const List<Vec2<double>>& points, dou
                                .position = (points[i] + points[i + 1]) / 2,
                                .angle = std::atan2(span.y(), span.x()),
                                .mass = 0.01,
-                               .friction = 0}));
+                               .material = {.friction = 0}}));
     if (i > 0) scene.join<RevoluteJoint>({.a = links[i - 1], .b = links[i], .anchor = points[i]});
   }
   return links;
@@ -90,7 +90,7 @@ Scene folded_string(double load, int substeps) {
 /// The upper half of a disc of 1 m, and a string with a load at each end that begins 2 cm above it.
 Scene string_over_disc(double load, int substeps) {
   Scene scene({.substeps = substeps});
-  scene.add({.type = BodyType::static_body, .shapes = {circle(1)}, .friction = 0});
+  scene.add({.type = BodyType::static_body, .shapes = {circle(1)}, .material = {.friction = 0}});
   List<Vec2<double>> points;
   constexpr int links = 24;
   for (int i = 0; i <= links; ++i) {

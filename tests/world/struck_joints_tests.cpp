@@ -12,7 +12,8 @@ enum class Held { by_limits, by_welds };
 /// Six bars in a row from the ground to the right.
 Scene pole(Held held) {
   Scene scene({.gravity = {0, 0}, .substeps = 4});
-  const BodySpec bar = {.shapes = {box(1, 0.2)}, .position = {0.5, 0}, .mass = 0.2, .collides_with = 0};
+  const BodySpec bar = {
+      .shapes = {box(1, 0.2)}, .position = {0.5, 0}, .mass = 0.2, .filter = {.collides_with = 0}};
   if (held == Held::by_welds) samples::add_chain<WeldJoint>(scene, 6, bar, {1, 0});
   if (held == Held::by_limits) samples::add_chain(scene, 6, bar, {1, 0}, {.lower = 0, .upper = 0});
   return scene;

@@ -84,15 +84,15 @@ TEST_CASE("what rested on a removed body falls, and what sleeps elsewhere sleeps
 
 TEST_CASE("a changed body, a changed rule and a new joint act from the next step on") {
   Scene scene({.sleeping = Sleeping{}});
-  scene.add_ground({.friction = 1});
-  const BodyId slider =
-      scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {3, 0}, .friction = 0});
+  scene.add_ground({.material = {.friction = 1}});
+  const BodyId slider = scene.add(
+      {.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {3, 0}, .material = {.friction = 0}});
   World<double> world(scene);
   take_steps(world, 30);
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3));
   world.edit([&](Scene& now) {
     BodySpec spec = now.bodies()[slider].spec;
-    spec.friction = 1;
+    spec.material.friction = 1;
     now.change(slider, spec);
   });
   CHECK(world.bodies().velocity[slider].x() == doctest::Approx(3));

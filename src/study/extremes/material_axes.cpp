@@ -13,8 +13,11 @@ namespace {
 
 Scene sliding_block(double friction) {
   Scene scene;
-  scene.add_ground({.friction = friction});
-  scene.add({.shapes = {box(2, 0.2)}, .position = {0, 0.1}, .velocity = {2, 0}, .friction = friction});
+  scene.add_ground({.material = {.friction = friction}});
+  scene.add({.shapes = {box(2, 0.2)},
+             .position = {0, 0.1},
+             .velocity = {2, 0},
+             .material = {.friction = friction}});
   return scene;
 }
 
@@ -36,12 +39,12 @@ ExtremeFinding slide(double friction, const Setting& setting) {
 Scene leaning_rod(double friction) {
   const double length = 2, lean = pi / 4;
   Scene scene;
-  scene.add_ground({.friction = friction});
+  scene.add_ground({.material = {.friction = friction}});
   scene.add({.shapes = {capsule({-length / 2, 0}, {length / 2, 0}, 0.05)},
              .position = {0, length / 2 * std::sin(lean) + 0.05},
              .angle = lean,
              .velocity = {-3, -1},
-             .friction = friction});
+             .material = {.friction = friction}});
   return scene;
 }
 
@@ -67,8 +70,9 @@ List<ExtremeCase> friction_cases() {
     }
   }
   for (const double friction : {-1e-9, -1.0, double(INFINITY), double(NAN)}) {
-    cases.add_refusal(shortest(friction),
-                      [friction] { Scene().add({.shapes = {box(1, 1)}, .friction = friction}); });
+    cases.add_refusal(shortest(friction), [friction] {
+      Scene().add({.shapes = {box(1, 1)}, .material = {.friction = friction}});
+    });
   }
   return cases.all();
 }
@@ -78,7 +82,8 @@ ExtremeFinding rebound(double restitution, const Setting& setting) {
   const double radius = 0.2, fall = 1, g = 10, speed = std::sqrt(2 * g * fall);
   Scene scene;
   scene.add_ground();
-  scene.add({.shapes = {circle(radius)}, .position = {0, radius + fall}, .restitution = restitution});
+  scene.add(
+      {.shapes = {circle(radius)}, .position = {0, radius + fall}, .material = {.restitution = restitution}});
   double before = fall, apex = 0;
   bool rises = false;
   const auto look = [&](const Snapshot& now) {
@@ -111,8 +116,9 @@ List<ExtremeCase> restitution_cases() {
                     [restitution](const Setting& setting) { return rebound(restitution, setting); });
   }
   for (const double restitution : {-0.1, 1.0001, 2.0, double(NAN)}) {
-    cases.add_refusal(shortest(restitution),
-                      [restitution] { Scene().add({.shapes = {circle(1)}, .restitution = restitution}); });
+    cases.add_refusal(shortest(restitution), [restitution] {
+      Scene().add({.shapes = {circle(1)}, .material = {.restitution = restitution}});
+    });
   }
   return cases.all();
 }

@@ -49,7 +49,7 @@ double seconds_at(double speed, const Setting& setting) {
   for (int i = 0; i < 20; ++i) {
     const double x = 3.0 * i;
     const BodyId ball = scene.add(
-        {.shapes = {circle(0.5)}, .position = {x, 0}, .velocity = {0, speed}, .angular_damping = 1});
+        {.shapes = {circle(0.5)}, .position = {x, 0}, .velocity = {0, speed}, .damping = {.angular = 1}});
     scene.join<RevoluteJoint>({.a = ground, .b = ball, .anchor = {x - 1, 0}});
   }
   World<double> world(scene);

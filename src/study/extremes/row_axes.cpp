@@ -81,7 +81,8 @@ ExtremeFinding copies_change_nothing(int copies, const Setting& setting) {
 Scene braced_square() {
   Scene scene;
   const auto bar = [&](double x, double y, double wide, double high) {
-    return scene.add({.shapes = {box(wide, high)}, .position = {x, y}, .mass = 1, .collides_with = 0});
+    return scene.add(
+        {.shapes = {box(wide, high)}, .position = {x, y}, .mass = 1, .filter = {.collides_with = 0}});
   };
   const BodyId low = bar(0.5, 0, 1, 0.1), right = bar(1, 0.5, 0.1, 1), high = bar(0.5, 1, 1, 0.1),
                left = bar(0, 0.5, 0.1, 1);

@@ -24,13 +24,13 @@ Scene chain_with_bob(int links, double bob, ChainStart start) {
     const BodyId link = scene.add({.shapes = {level ? box(length, thickness) : box(thickness, length)},
                                    .position = middle,
                                    .mass = 1,
-                                   .collides_with = 0});
+                                   .filter = {.collides_with = 0}});
     scene.join<RevoluteJoint>({.a = above, .b = link, .anchor = pin});
     above = link;
   }
   const Vec2<double> end = links * length * along, center = end + radius * along;
-  const BodyId ball =
-      scene.add({.shapes = {circle(radius)}, .position = center, .mass = bob, .collides_with = 0});
+  const BodyId ball = scene.add(
+      {.shapes = {circle(radius)}, .position = center, .mass = bob, .filter = {.collides_with = 0}});
   scene.join<RevoluteJoint>({.a = above, .b = ball, .anchor = end});
   return scene;
 }
@@ -63,7 +63,10 @@ Scene bin_of_bodies(int bodies) {
 Scene shot_at_wall(double speed, const Shape<double>& shape, double restitution) {
   Scene scene({.gravity = {0, 0}});
   scene.add({.type = BodyType::static_body, .shapes = {box(0.1, 4)}});
-  scene.add({.shapes = {shape}, .position = {-3.3, 0.1}, .velocity = {speed, 0}, .restitution = restitution});
+  scene.add({.shapes = {shape},
+             .position = {-3.3, 0.1},
+             .velocity = {speed, 0},
+             .material = {.restitution = restitution}});
   return scene;
 }
 

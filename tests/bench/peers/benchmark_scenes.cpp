@@ -46,9 +46,8 @@ void add_figure(Scene& scene, const Place& feet, int kind) {
   for (const Bone& bone : bones()) {
     added.push_back(scene.add({.shapes = {capsule({0, bone.low}, {0, bone.high}, bone.radius)},
                                .position = feet + Place(0, bone.height),
-                               .friction = 0.2,
-                               .category = 2u << kind,
-                               .collides_with = ~(2u << kind)}));
+                               .material = {.friction = 0.2},
+                               .filter = {.category = 2u << kind, .collides_with = ~(2u << kind)}}));
     if (bone.parent < 0) continue;
     scene.join<RevoluteJoint>({.a = added[bone.parent],
                                .b = added.back(),
@@ -103,9 +102,11 @@ Scene spinner(int count) {
     const double angle = -i * pi / 180;  // clockwise: a room
     circle_points.push_back(spinner_center + spinner_radius * Place(std::cos(angle), std::sin(angle)));
   }
-  const BodyId room = scene.add(
-      {.type = BodyType::static_body, .shapes = {chain(circle_points, {.closed = true})}, .friction = 0.1});
-  const BodyId bar = scene.add({.shapes = {box(1.2, 40.4)}, .position = {0, 12}, .friction = 0});
+  const BodyId room = scene.add({.type = BodyType::static_body,
+                                 .shapes = {chain(circle_points, {.closed = true})},
+                                 .material = {.friction = 0.1}});
+  const BodyId bar =
+      scene.add({.shapes = {box(1.2, 40.4)}, .position = {0, 12}, .material = {.friction = 0}});
   scene.join<RevoluteJoint>(
       {.a = room, .b = bar, .anchor = {0, 12}, .motor = RevoluteJoint::Motor{.speed = 5, .max_torque = 1e9}});
   const Shape<double> shapes[] = {capsule({-0.25, 0}, {0.25, 0}, 0.25), circle(0.35), box(0.7, 0.7)};
@@ -113,8 +114,7 @@ Scene spinner(int count) {
     scene.add({.shapes = {shapes[i % 3]},
                .position = {0.5 * (i % 92) - 23, 2 + 0.5 * (i / 92)},
                .density = 0.25,
-               .friction = 0.1,
-               .restitution = 0.1});
+               .material = {.friction = 0.1, .restitution = 0.1}});
   }
   return scene;
 }
@@ -173,9 +173,11 @@ Scene pyramid_and_pendulum() {
 
 Scene pyramid_and_rebound() {
   Scene scene = pyramid(30);
-  scene.add(
-      {.type = BodyType::static_body, .shapes = {box(4, 1)}, .position = {500, -0.5}, .restitution = 0.1});
-  scene.add({.shapes = {box(1, 1)}, .position = {500, 1.5}, .restitution = 0.1});
+  scene.add({.type = BodyType::static_body,
+             .shapes = {box(4, 1)},
+             .position = {500, -0.5},
+             .material = {.restitution = 0.1}});
+  scene.add({.shapes = {box(1, 1)}, .position = {500, 1.5}, .material = {.restitution = 0.1}});
   return scene;
 }
 

@@ -71,10 +71,10 @@ class Box2D2Engine final : public Engine {
     b2Body* result = world_.CreateBody(&definition);
     for (const Shape<double>& shape : spec.shapes) {
       b2FixtureDef fixture;
-      fixture.friction = static_cast<float>(spec.friction);
-      fixture.restitution = static_cast<float>(spec.restitution);
-      fixture.filter.categoryBits = static_cast<std::uint16_t>(spec.category);
-      fixture.filter.maskBits = static_cast<std::uint16_t>(spec.collides_with);
+      fixture.friction = static_cast<float>(spec.material.friction);
+      fixture.restitution = static_cast<float>(spec.material.restitution);
+      fixture.filter.categoryBits = static_cast<std::uint16_t>(spec.filter.category);
+      fixture.filter.maskBits = static_cast<std::uint16_t>(spec.filter.collides_with);
       for (const std::unique_ptr<b2Shape>& part : to_box2d(shape)) {
         fixture.shape = part.get();
         result->CreateFixture(&fixture);

@@ -65,10 +65,10 @@ b2BodyId add(b2WorldId world, const SceneBody& body) {
   definition.angularVelocity = static_cast<float>(spec.angular_velocity);
   const b2BodyId result = b2CreateBody(world, &definition);
   b2ShapeDef shape = b2DefaultShapeDef();
-  shape.material.friction = static_cast<float>(spec.friction);
-  shape.material.restitution = static_cast<float>(spec.restitution);
-  shape.filter.categoryBits = spec.category;
-  shape.filter.maskBits = spec.collides_with;
+  shape.material.friction = static_cast<float>(spec.material.friction);
+  shape.material.restitution = static_cast<float>(spec.material.restitution);
+  shape.filter.categoryBits = spec.filter.category;
+  shape.filter.maskBits = spec.filter.collides_with;
   shape.updateBodyMass = false;
   for (const Shape<double>& one : spec.shapes) std::visit(AddShape{result, &shape}, one);
   if (spec.type == BodyType::dynamic) {

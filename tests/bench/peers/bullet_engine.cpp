@@ -126,8 +126,8 @@ class BulletEngine final : public Engine {
                                                   {0, 0, static_cast<btScalar>(body.inertia)});
     info.m_startWorldTransform = to_bullet(body.pose.position, body.pose.angle);
     // It multiplies those of two bodies.
-    info.m_friction = static_cast<btScalar>(std::sqrt(spec.friction));
-    info.m_restitution = static_cast<btScalar>(std::sqrt(spec.restitution));
+    info.m_friction = static_cast<btScalar>(std::sqrt(spec.material.friction));
+    info.m_restitution = static_cast<btScalar>(std::sqrt(spec.material.restitution));
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& made = *bodies_.back();
     made.setLinearFactor({1, 1, 0});
@@ -143,8 +143,8 @@ class BulletEngine final : public Engine {
       driven_.push_back({&made, velocity, spin});
     }
     // A body without shapes is here for its joints alone.
-    const int mask = spec.shapes.empty() ? 0 : static_cast<int>(spec.collides_with);
-    world_.addRigidBody(&made, static_cast<int>(spec.category), mask);
+    const int mask = spec.shapes.empty() ? 0 : static_cast<int>(spec.filter.collides_with);
+    world_.addRigidBody(&made, static_cast<int>(spec.filter.category), mask);
   }
   void pin(const Pin& pin) {
     btRigidBody &a = *bodies_[pin.a], &b = *bodies_[pin.b];

@@ -99,9 +99,10 @@ class ChipmunkEngine final : public Engine {
       for (cpShape* converted : std::visit(MakeShapes{made}, shape)) {
         shapes_.push_back(Owned<cpShape>(converted));
         // It multiplies those of two shapes.
-        cpShapeSetFriction(converted, std::sqrt(spec.friction));
-        cpShapeSetElasticity(converted, std::sqrt(spec.restitution));
-        cpShapeSetFilter(converted, cpShapeFilterNew(CP_NO_GROUP, spec.category, spec.collides_with));
+        cpShapeSetFriction(converted, std::sqrt(spec.material.friction));
+        cpShapeSetElasticity(converted, std::sqrt(spec.material.restitution));
+        cpShapeSetFilter(converted,
+                         cpShapeFilterNew(CP_NO_GROUP, spec.filter.category, spec.filter.collides_with));
         cpSpaceAddShape(space_.get(), converted);
       }
     }

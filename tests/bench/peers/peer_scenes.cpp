@@ -32,7 +32,7 @@ Scene many_pyramids(int ledges) {
 
 /// A body of a chain or a grid touches none of the others.
 BodySpec link(const Shape<double>& shape, const Vec2<double>& place) {
-  return {.shapes = {shape}, .position = place, .category = 2, .collides_with = ~2u};
+  return {.shapes = {shape}, .position = place, .filter = {.category = 2, .collides_with = ~2u}};
 }
 
 /// Rods of 0.5 m in a level row, the first pinned to the ground: the row falls and swings.

@@ -5,7 +5,7 @@
 
 int main() {
   cairn::Scene scene;
-  scene.add_ground({.friction = 0.6});
+  scene.add_ground({.material = {.friction = 0.6}});
   const cairn::BodyId box = scene.add({.shapes = {cairn::box(1, 1)}, .position = {0, 0.5}, .mass = 2.0});
 
   cairn::World world(scene);

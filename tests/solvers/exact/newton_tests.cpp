@@ -171,10 +171,12 @@ TEST_CASE("Newton's method agrees with Lemke's at a hundred rows and more, witho
     scene.set_settings(settings);
     for (int i = 0; i < 30; ++i) {
       const double speed = i % 3;  // [m/s]
-      scene.add(
-          {.shapes = {box(1, 1)}, .position = {5.0 + 2 * i, 0.5}, .velocity = {speed, 0}, .friction = mu});
+      scene.add({.shapes = {box(1, 1)},
+                 .position = {5.0 + 2 * i, 0.5},
+                 .velocity = {speed, 0},
+                 .material = {.friction = mu}});
     }
-    scene.add_ground({.half_width = 100, .friction = mu});
+    scene.add_ground({.half_width = 100, .material = {.friction = mu}});
     const VelocityProblem<double> start = cold_problem_after(scene, 2);
     REQUIRE(start.row_count() >= 100);
     VelocityProblem<double> direct = start, iterated = start;
