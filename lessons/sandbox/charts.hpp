@@ -1,10 +1,11 @@
-// The pictures that studies are told by: an atlas of cells, a map of settings, work against error, profiles.
+// The charts of the program: an atlas of cells, a map of settings, work against error, profiles, tracks.
 #pragma once
 
 #include <string>
 
 #include <cairn/study/extremes/atlas.hpp>
 #include <cairn/math/list.hpp>
+#include <cairn/measure/tracks.hpp>
 #include "render/image.hpp"
 #include "render/page.hpp"
 #include "render/theme.hpp"
@@ -46,6 +47,16 @@ struct ProfileChart {
 };
 /// Performance profiles, as steps.
 render::Image draw_profile_chart(const ProfileChart& chart, const render::Theme& theme);
+
+struct TrackChart {
+  std::string title = {};
+  std::string state = {};  // beside it
+  List<Track> tracks = {};
+  List<double> times = {};  // [s] of their values
+};
+/// Quantities over time, those of one unit in one panel: the bytes of a PNG, or of an SVG.
+/// @throws render::RenderError for no tracks, and for more than 4 panels of 4.
+std::string draw_tracks(const TrackChart& chart, const render::Theme& theme, bool as_svg);
 
 // What several of them are made of.
 

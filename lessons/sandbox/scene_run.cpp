@@ -48,6 +48,7 @@ class RunKeeper {
         next_frame_ = static_cast<double>(++frame_) / wish_.frames_per_second;
     }
     if (wish_.series && finite) add_row(snapshot, step, time);
+    if (run_.tracks && finite) run_.tracks->add(snapshot);
   }
 
   /// The last frame of a run that ends badly is that of its end, whether one was due or not.
@@ -93,10 +94,13 @@ class RunKeeper {
 SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWish& wish,
                    const ConsoleSettings& console) {
   SceneRun run{.setting = setting};
+  if (!wish.tracks.empty())
+    run.tracks = std::make_shared<TrackRecorder>(wish.tracks, TrackNames{scene.body_names, scene.joint_ids});
   RunKeeper keeper(setting, wish, run);
   TrialOptions options = trial_options(scene);
   options.seconds = wish.seconds;
   options.residual = ResidualMeasure::last_step;
+  options.whole_impulses = wish.series || run.tracks;
   const double steps = std::round(wish.seconds / setting.dt);
   require(steps >= 1, scene.name, "seconds", fmt::format("at least a step of {:g} s", setting.dt),
           wish.seconds);

@@ -1,9 +1,12 @@
 // cairn run: a scene, its numbers, and a film of it.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include <nlohmann/json.hpp>
 
 #include "lessons/kit/words.hpp"
+#include "lessons/sandbox/charts.hpp"
 #include "lessons/sandbox/film_files.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/run_table.hpp"
@@ -20,12 +23,37 @@ int stopped_run(Console& console, const std::string& what) {
   return stopped;
 }
 
-void write_series(const SceneRun& run, const std::string& path, Console& console) {
+void write_series(const SceneRun& run, int every, const std::string& path, Console& console) {
+  const std::string text = series_csv(run.tracks ? run.tracks->table(every) : run.series);
   if (path == "-") {
-    fmt::print("{}", series_csv(run.series));
+    fmt::print("{}", text);
     return;
   }
-  write_whole_file(path, series_csv(run.series));
+  write_whole_file(path, text);
+  console.narrate(fmt::format("written: {}", path));
+}
+
+bool is_svg(const std::string& path) { return std::filesystem::path(path).extension() == ".svg"; }
+
+/// What --track, --every, --csv and --plot say to each other.
+void check_track_words(const Words& words, const std::string& csv) {
+  const std::string ending = std::filesystem::path(words.text("plot").value_or(".png")).extension().string();
+  if (ending != ".png" && ending != ".svg")
+    words.refuse("plot", "a name with .png or .svg", *words.text("plot"));
+  if (words.has("track") && csv.empty() && !words.has("plot"))
+    throw UsageError("cairn run: --track needs --csv or --plot to say where its numbers go");
+  if (words.has("plot") && !words.has("track")) throw UsageError("cairn run: --plot needs --track");
+  if (words.has("every") && (!words.has("track") || csv.empty()))
+    throw UsageError("cairn run: --every is of the rows of --csv, where there is --track");
+}
+
+void write_plot(const SceneEntry& scene, const SceneRun& run, const std::string& path,
+                const render::Theme& theme, Console& console) {
+  const TrackChart chart{.title = unmarked(scene.name + ": " + scene.title),
+                         .state = setting_text(run.setting),
+                         .tracks = run.tracks->tracks(),
+                         .times = run.tracks->times()};
+  write_whole_file(path, draw_tracks(chart, theme, is_svg(path)));
   console.narrate(fmt::format("written: {}", path));
 }
 
@@ -35,6 +63,8 @@ int run_run(const Words& words, Console& usual_console) {
   const FilmFiles files = film_files(words);
   const FilmLook look = look_of(words, files.frames ? "medium" : "640x360");
   const std::string csv = words.text("csv").value_or("");
+  check_track_words(words, csv);
+  const int every = words.whole("every", 1, 1, 1'000'000'000);
   if (csv == "-" && words.has("json")) throw UsageError("cairn run: --csv - and --json both want stdout");
   ConsoleSettings settings = words.console;
   settings.narrates_on_stderr = settings.narrates_on_stderr || csv == "-";
@@ -42,7 +72,8 @@ int run_run(const Words& words, Console& usual_console) {
   Console& console = csv == "-" ? data_console : usual_console;
   const RunWish wish{.seconds = seconds_of(words, scene),
                      .frames_per_second = files.any() ? files.frames_per_second : 0,
-                     .series = !csv.empty(),
+                     .series = !csv.empty() && !words.has("track"),
+                     .tracks = words.texts("track"),
                      .stops = interrupted};
   const List<SceneRun> runs = {run_scene(scene, setting, wish, words.console)};
   const SceneRun& run = runs.front();
@@ -53,7 +84,8 @@ int run_run(const Words& words, Console& usual_console) {
     return exit_code(run);
   }
   if (!words.has("json")) print_run(scene, run, console);
-  if (!csv.empty()) write_series(run, csv, console);
+  if (!csv.empty()) write_series(run, every, csv, console);
+  if (const auto plot = words.text("plot")) write_plot(scene, run, *plot, theme_of(words), console);
   if (files.any()) {
     SceneFilm film(scene, runs, look);
     const FilmOutcome outcome = write_film(film, film_identity(scene, runs, look, files.frames_per_second),
@@ -84,10 +116,18 @@ Verb run_verb() {
       .flags = joined_flags(
           joined_flags(joined_flags(setting_flags(), {{"seconds", "TIME", "to simulate (the scene's own)"}}),
                        film_flags()),
-          joined_flags(look_flags(), {{"csv", "FILE", "a row of numbers for every step; - is stdout"}})),
+          joined_flags(look_flags(),
+                       {{"csv", "FILE", "a row of numbers for every step; - is stdout"},
+                        {"track", "LIST",
+                         "the numbers of --csv and --plot: ball.vy, rod.force, ground:box.normal, "
+                         "energy; * is any name; run.md has them all",
+                         true},
+                        {"every", "STEPS", "a row of --csv for so many steps (1)"},
+                        {"plot", "FILE", "what --track follows as a chart, .png or .svg"}})),
       .examples = {"run stack", "run chain-bob --solver si:20 --substeps 4",
                    "run arch --frames out/arch --show loads --theme dark",
-                   "run puck --apng puck.png --show trails --seconds 2s"},
+                   "run puck --apng puck.png --show trails --seconds 2s",
+                   "run chain-bob --track '*.drift,bob.y' --csv - --plot bob.svg"},
       .run = run_run};
 }
 

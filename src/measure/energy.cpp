@@ -3,12 +3,14 @@
 
 namespace cairn {
 
+double kinetic_energy(const SnapshotBody& body) {
+  const Vec2<double> v = body.velocity.head<2>();
+  return 0.5 * (body.mass * v.squaredNorm() + body.inertia * body.velocity.z() * body.velocity.z());
+}
+
 double kinetic_energy(const Snapshot& snapshot) {
   double sum = 0;
-  for (const SnapshotBody& body : snapshot.bodies) {
-    const Vec2<double> v = body.velocity.head<2>();
-    sum += 0.5 * (body.mass * v.squaredNorm() + body.inertia * body.velocity.z() * body.velocity.z());
-  }
+  for (const SnapshotBody& body : snapshot.bodies) sum += kinetic_energy(body);
   return sum;
 }
 

@@ -8,6 +8,9 @@ namespace cairn {
 /// sum (m |v|^2 + I w^2) / 2 [J] over the dynamic bodies.
 double kinetic_energy(const Snapshot& snapshot);
 
+/// That of one body.
+double kinetic_energy(const SnapshotBody& body);
+
 /// -sum m s g . x + sum k C^2 / 2 [J] with the gravity scale s of each body and the springs of joints: 0 with
 /// all centres of mass at the origin and all springs at rest.
 double potential_energy(const Snapshot& snapshot);

@@ -84,6 +84,7 @@ void Box2DContacts::PreSolve(b2Contact* contact, const b2Manifold* old_manifold)
     Point point{.id = id, .contact = contact_point(*contact, world, i)};
     if (swapped) point.contact.normal = -point.contact.normal;
     point.contact.is_new = !in_manifold(*old_manifold, id);
+    point.contact.feature = id;
     touching.points.push_back(point);
   }
 }

@@ -199,7 +199,8 @@ SnapshotJoint Box2DWorld::Simulation::joint(int index, const PerBody<Pose<double
   const Constraint& constraint = *scene.joints()[index];
   const List<Attachment> ends = constraint.attachments();
   const b2Vec2 impulse = joints[index]->GetReactionForce(1);  // at dt = 1 s a force is its impulse
-  return {.name = constraint.name(),
+  return {.id = scene.joints().id(index),
+          .name = constraint.name(),
           .traits = constraint.traits(),
           .a = ends[0].body,
           .b = ends[1].body,

@@ -113,6 +113,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   entry.setting = recommended_of(table, builder.scene());
   entry.camera = part_of<SceneCamera>(table, "camera");
   entry.body_names = builder.names().of_bodies();
+  entry.joint_ids = builder.names().joint_ids();
   entry.make = [scene = builder.scene()] { return scene; };
   Fingerprint fingerprint;
   fingerprint.add(std::string_view(text));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -48,6 +49,7 @@ struct SceneEntry {
   std::function<Scene()> make = {};
   std::optional<SceneCamera> camera = {};  // none: all that is there
   PerBody<std::string> body_names = {};
+  std::map<std::string, JointId> joint_ids = {};  // by name
   double order = 1000;            // place in lists
   std::uint64_t fingerprint = 0;  // of the text of its file
 };

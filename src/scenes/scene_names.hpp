@@ -33,6 +33,8 @@ class SceneNames {
   std::variant<BodyId, JointId> body_or_joint(const SceneTable& table, const std::string& key) const;
   /// Of all bodies.
   const PerBody<std::string>& of_bodies() const { return names_; }
+  /// All joints, by name.
+  const std::map<std::string, JointId>& joint_ids() const { return joint_ids_; }
   /// Of these bodies, with commas between them.
   std::string of(const List<BodyId>& bodies) const;
 

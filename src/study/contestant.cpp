@@ -31,12 +31,15 @@ class WorldContestant final : public Contestant {
         twin_(make_solver<Real>(setting.solver, setting.sweeps)) {}
 
   bool do_events() override { return cairn::do_events(world_); }
-  void step() override { report_ = world_.step(*solver_); }
+  void step() override { report_ = impulses_ ? world_.step(*solver_, *impulses_) : world_.step(*solver_); }
   std::optional<BodyId> not_finite() const override { return report_.not_finite; }
   std::optional<double> unfinished() const override {
     return report_.unfinished > 0 ? std::optional(report_.worst_residual) : std::nullopt;
   }
-  Snapshot snapshot() const override { return cairn::snapshot(world_); }
+  Snapshot snapshot() const override {
+    return impulses_ ? impulses_->in(cairn::snapshot(world_)) : cairn::snapshot(world_);
+  }
+  void sum_impulses() override { impulses_.emplace(); }
   std::int64_t row_updates(const Snapshot&) const override {
     return counted_updates(entry_, report_.row_sweeps, report_.extra_row_sweeps);
   }
@@ -62,6 +65,7 @@ class WorldContestant final : public Contestant {
   const SolverEntry& entry_;
   std::unique_ptr<Solver<Real>> solver_, twin_;
   StepReport report_ = {};
+  std::optional<StepImpulses> impulses_;  // where they are asked for
 };
 
 #ifdef CAIRN_HAVE_BOX2D
@@ -76,11 +80,15 @@ class Box2DContestant final : public Contestant {
 
   bool do_events() override { return world_.do_events(); }
   void step() override {
-    for (int i = 0; i < setting_.substeps; ++i) world_.step();
+    if (impulses_) impulses_->clear();
+    for (int i = 0; i < setting_.substeps; ++i) {
+      world_.step();
+      if (impulses_) impulses_->add(world_.snapshot());
+    }
     steps_ += 1;
   }
   Snapshot snapshot() const override {
-    Snapshot result = world_.snapshot();
+    Snapshot result = impulses_ ? impulses_->in(world_.snapshot()) : world_.snapshot();
     result.step = steps_;
     return result;
   }
@@ -112,6 +120,7 @@ class Box2DContestant final : public Contestant {
   Setting setting_;
   Box2DWorld world_;
   int steps_ = 0;
+  std::optional<StepImpulses> impulses_;  // where they are asked for
 };
 #endif
 

@@ -19,6 +19,9 @@ class Contestant {
   /// One step of the setting's dt: all that is to be timed.
   virtual void step() = 0;
   virtual Snapshot snapshot() const = 0;
+  /// From the next step on, a snapshot has the impulses of a whole step (StepImpulses) and not those of its
+  /// last substep.
+  virtual void sum_impulses() = 0;
   /// The body for whose sake the last step was not done: it would have got what is no finite number.
   virtual std::optional<BodyId> not_finite() const { return std::nullopt; }
   /// The largest R_E of the last step, where one of its solves is known to have ended far from its answer

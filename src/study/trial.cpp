@@ -51,6 +51,7 @@ class Trial {
         watch_(start_, !options.places.empty()),
         standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)),
         is_driven_(is_driven(scene)) {
+    if (options_.whole_impulses) contestant_.sum_impulses();
     note_energy();
     note_places(start_);
     if (options_.observer) options_.observer(start_);

@@ -64,6 +64,7 @@ struct TrialOptions {
   /// Asked after every step: true ends the run there, for example because it can no longer do what is wanted.
   std::function<bool(const TrialResult&)> gives_up = {};
   std::function<void(const Snapshot&)> observer = {};  // sees the start, and then every step
+  bool whole_impulses = false;                         // what it sees has the impulses of whole steps
   std::function<double()> clock = thread_cpu_seconds;  // [s]
 };
 

@@ -50,7 +50,8 @@ void append_contact(const StepRecord<Real>& record, int i, List<SnapshotContact>
                         .separation = static_cast<double>(point.separation),
                         .normal_impulse = impulse(row),
                         .friction = static_cast<double>(contact.friction),
-                        .is_new = record.is_new[row] != 0});
+                        .is_new = record.is_new[row] != 0,
+                        .feature = point.feature});
     if (rubs_at_points) contacts.back().friction_impulse = impulse(row + 1);
   }
   if (block.count == manifold.count + 1 && !rubs_at_points)
@@ -84,6 +85,25 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
 }  // namespace
 
 template <Scalar Real>
+List<SnapshotContact> contacts_of(const StepRecord<Real>& record) {
+  List<SnapshotContact> contacts;
+  for (int i = 0; i < record.problem.contacts.size(); ++i) append_contact(record, i, contacts);
+  return contacts;
+}
+
+template <Scalar Real>
+Vec2<double> joint_impulse(const StepRecord<Real>& record, int joint) {
+  const VelocityProblem<Real>& problem = record.problem;
+  const RowBlock& block = problem.blocks[joint];
+  Vec2<double> impulse = {0, 0};
+  for (int row = block.first; row < block.first + block.count; ++row) {
+    const Vec2<Real> push = problem.rows[row].jacobian_b.template head<2>() * problem.impulse[row];
+    impulse += push.template cast<double>();
+  }
+  return impulse;
+}
+
+template <Scalar Real>
 Snapshot snapshot(const World<Real>& world) {
   const Scene& scene = world.scene();
   const StepRecord<Real>& record = world.last_step();
@@ -103,20 +123,18 @@ Snapshot snapshot(const World<Real>& world) {
   for (int i = 0; i < joints + (world.hand().joint() ? 1 : 0); ++i) {
     SnapshotJoint joint =
         snapshot_joint(i < joints ? *scene.joints()[i] : *world.hand().joint(), world.bodies());
-    if (i < record.problem.joint_blocks()) {
-      const RowBlock& block = record.problem.blocks[i];
-      for (int index = block.first; index < block.first + block.count; ++index) {
-        const Vec2<Real> push =
-            record.problem.rows[index].jacobian_b.template head<2>() * record.problem.impulse[index];
-        joint.impulse += push.template cast<double>();
-      }
-    }
+    joint.id = i < joints ? scene.joints().id(i) : JointId{-1};
+    if (i < record.problem.joint_blocks()) joint.impulse = joint_impulse(record, i);
     result.joints.push_back(joint);
   }
-  for (int i = 0; i < record.problem.contacts.size(); ++i) append_contact(record, i, result.contacts);
+  result.contacts = contacts_of(record);
   return result;
 }
 
+template List<SnapshotContact> contacts_of(const StepRecord<float>&);
+template List<SnapshotContact> contacts_of(const StepRecord<double>&);
+template Vec2<double> joint_impulse(const StepRecord<float>&, int);
+template Vec2<double> joint_impulse(const StepRecord<double>&, int);
 template Snapshot snapshot(const World<float>&);
 template Snapshot snapshot(const World<double>&);
 

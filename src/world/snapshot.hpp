@@ -10,6 +10,8 @@
 #include <cairn/geometry/shape.hpp>
 #include <cairn/math/list.hpp>
 #include <cairn/math/shared_list.hpp>
+#include <cairn/world/scene_joints.hpp>
+#include <cairn/world/step_report.hpp>
 
 namespace cairn {
 
@@ -40,10 +42,12 @@ struct SnapshotContact {
       0;                // [N s], on b along the normal turned by -90 degrees (right, where the normal is up)
   double friction = 0;  // mu of the pair
   bool is_new = false;  // was not there in the step before
+  std::uint32_t feature = 0;  // which features touch: the same number in the next step
 };
 
 /// One joint, as far as it can be drawn and measured.
 struct SnapshotJoint {
+  JointId id = {};                  // in the scene; of a hand -1
   std::string name = {};            // Constraint::name()
   JointTraits traits = {};          // Constraint::traits()
   BodyId a = {};                    // where it begins
@@ -67,5 +71,12 @@ struct Snapshot {
   List<SnapshotJoint> joints = {};             // in the order of the scene
   List<std::pair<BodyId, BodyId>> apart = {};  // bodies that a joint keeps from colliding, sorted
 };
+
+/// The contact points that the last substep of a step saw, and what they gave in it.
+template <Scalar Real>
+List<SnapshotContact> contacts_of(const StepRecord<Real>& record);
+/// What a joint gave to its last body in it [N s]; of a hand, too, which is behind those of the scene.
+template <Scalar Real>
+Vec2<double> joint_impulse(const StepRecord<Real>& record, int joint);
 
 }  // namespace cairn

@@ -43,28 +43,39 @@ bool is_too_deep(const Contact<Real>& contact, const BodyKinds<Real>& kinds) {
 
 /// Events are done to another world, which takes the place of this one once its step is done.
 template <Scalar Real>
-StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
+StepReport World<Real>::step(Solver<Real>& solver, const StepWatch<Real>& watch) {
   occupation_.refuse("World::step");
   std::optional<World> next = after_events();
-  if (!next) return take_step(solver, observer);
+  if (!next) return take_step(solver, watch);
   StepReport report;
   {
     const Occupation::Scope scope(occupation_, "World::step");
-    report = next->take_step(solver, observer);
+    report = next->take_step(solver, watch);
   }
   *this = std::move(*next);
   return report;
 }
 
 template <Scalar Real>
-StepReport World<Real>::take_step(Solver<Real>& solver, SolveObserver<Real>* observer) {
+StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
+  return step(solver, StepWatch<Real>{.solves = observer});
+}
+
+template <Scalar Real>
+StepReport World<Real>::step(Solver<Real>& solver, StepImpulses& impulses) {
+  impulses.clear();
+  return step(solver, StepWatch<Real>{.impulses = &impulses});
+}
+
+template <Scalar Real>
+StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& watch) {
   const Occupation::Scope scope(occupation_, "World::step");
   StepReport report;
   if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
   if (plan_->settings.substeps > 1) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
   try {
     for (int i = 0; i < plan_->settings.substeps && !report.not_finite; ++i)
-      substep(i, solver, observer, report);
+      substep(i, solver, watch, report);
   } catch (...) {
     leave_step();
     throw;
@@ -92,7 +103,7 @@ void World<Real>::leave_step() {
 }
 
 template <Scalar Real>
-void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer,
+void World<Real>::substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch,
                           StepReport& report) {
   Deadline::go_on();
   const Substep<Real> step = now_asleep();
@@ -104,7 +115,7 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
   // 3     v_1 = v + dt M^-1 f: gravity is in before any constraint is solved
   // 4, 5  joints and contacts -> rows -> impulses, v_2
   const PerBody<Vec3<Real>>& going =
-      solves_.solve({step, joints_, contacts_, record_}, solver, observer, report);
+      solves_.solve({step, joints_, contacts_, record_}, solver, watch.solves, report);
   const PerBody<Vec3<Real>>& staying = record_.problem.velocity;
   report.not_finite = first_not_finite(state_, going, staying, step.dt);
   if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
@@ -113,6 +124,7 @@ void World<Real>::substep(int number, Solver<Real>& solver, SolveObserver<Real>*
   state_.velocity = staying;
   joints_.remember(step, record_.problem);  // 7
   contacts_.remember(record_);
+  if (watch.impulses) watch.impulses->add(record_);
 }
 
 template <Scalar Real>

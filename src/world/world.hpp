@@ -17,12 +17,20 @@
 #include <cairn/world/scene.hpp>
 #include <cairn/world/sleeping.hpp>
 #include <cairn/world/snapshot.hpp>
+#include <cairn/world/step_impulses.hpp>
 #include <cairn/world/step_report.hpp>
 #include <cairn/world/substep.hpp>
 #include <cairn/world/two_solves.hpp>
 #include <cairn/math/list.hpp>
 
 namespace cairn {
+
+/// Who looks at a step; null: nobody.
+template <Scalar Real>
+struct StepWatch {
+  SolveObserver<Real>* solves = nullptr;  // at each sweep
+  StepImpulses* impulses = nullptr;       // at what substeps gave
+};
 
 /// A copyable value: `World twin = world;`. The scene is shared and never changes. Owns no solver.
 ///
@@ -52,6 +60,8 @@ class World {
   /// the bits that it would have had; only where the scene has substeps it may begin from impulses of those
   /// that were done, with what these woke awake.
   StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr);
+  /// The same to the same bits, with what contacts and joints give in all of it.
+  StepReport step(Solver<Real>& solver, StepImpulses& impulses);
   /// The problem that step() would hand to its solver first: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
 
@@ -91,9 +101,10 @@ class World {
  private:
   World after(const std::function<void(Scene&)>& change);
   std::optional<World> after_events();
-  StepReport take_step(Solver<Real>& solver, SolveObserver<Real>* observer);
+  StepReport step(Solver<Real>& solver, const StepWatch<Real>& watch);
+  StepReport take_step(Solver<Real>& solver, const StepWatch<Real>& watch);
   void leave_step();
-  void substep(int number, Solver<Real>& solver, SolveObserver<Real>* observer, StepReport& report);
+  void substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch, StepReport& report);
   Substep<Real> now() const;
   Substep<Real> now_asleep();
   void carry_over(const World& before, const Scene& then);
