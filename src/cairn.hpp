@@ -18,6 +18,7 @@
 #include <cairn/measure/energy.hpp>
 #include <cairn/measure/failure.hpp>
 #include <cairn/measure/recorder.hpp>
+#include <cairn/measure/tracks.hpp>
 #include <cairn/measure/trajectory.hpp>
 #include <cairn/measure/truth.hpp>
 #include <cairn/measure/violation.hpp>

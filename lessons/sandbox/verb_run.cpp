@@ -9,6 +9,7 @@
 #include "lessons/sandbox/charts.hpp"
 #include "lessons/sandbox/film_files.hpp"
 #include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verbs.hpp"
