@@ -58,12 +58,11 @@ SolveReport IslandNewton::solve(VelocityProblem<double>& problem) {
   answer(problem, again);
   give_answer(problem);
   solved_ = problem.number.value();
-  SolveReport report{.iterations = done_.systems, .extra_sweeps = done_.sweeps};
   const double asked = settings_.tolerance;
-  report.converged = best_.residual <= std::max({asked, rounding(), rounding_of_answer()});
-  if (report.converged) report.stop = Stop::tolerance;
-  report.residual = best_.residual;
-  return report;
+  done_.converged = best_.residual <= std::max({asked, rounding(), rounding_of_answer()});
+  if (done_.converged) done_.stop = Stop::tolerance;
+  done_.residual = best_.residual;
+  return done_;
 }
 
 void IslandNewton::give_answer(VelocityProblem<double>& problem) {
@@ -99,8 +98,7 @@ void IslandNewton::answer(const VelocityProblem<double>& problem, bool again) {
     factors_.begin();
   }
   interior_.clear();
-  inside_.clear();
-  done_ = {.sweeps = sweeps_of_a_look};
+  done_ = {.extra_sweeps = sweeps_of_a_look};
   if (keeps_rows && last_is_answer()) return;
   best_.impulse = problem.impulse;
   // Where nothing moves and no row asks for anything, no impulses are the answer, and R_E has no scale.
@@ -134,7 +132,7 @@ void IslandNewton::sweep(const VelocityProblem<double>& problem, int sweeps) {
   swept_ = problem;
   swept_.impulse = best_.impulse;
   AcceleratedProjectedGaussSeidel<double>({.iterations = sweeps}).solve(swept_);
-  done_.sweeps += sweeps;
+  done_.extra_sweeps += sweeps;
   center_.go_to(rows_, swept_.impulse);
   note_center();
 }
@@ -191,7 +189,7 @@ void IslandNewton::approach(const VelocityProblem<double>& problem) {
       softness = std::min(softness * softness_step, softest);
     }
     failures += 1;
-    if (done_.systems >= settings_.iterations) break;
+    if (done_.iterations >= settings_.iterations) break;
   }
 }
 
@@ -207,16 +205,17 @@ void IslandNewton::go_on() {
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.
 bool IslandNewton::solve_softened(int most_systems) {
   const double small = std::max(1e-2 * residual(), 1e-1 * goal()) * rows_.scale();
-  const int last_system = std::min(settings_.iterations, done_.systems + most_systems);
-  return steps_.solve(at(), small, steps_of_one_problem,
-                      [&] { return take_kept_step() || (done_.systems < last_system && take_new_step()); });
+  const int last_system = std::min(settings_.iterations, done_.iterations + most_systems);
+  return steps_.solve(at(), small, steps_of_one_problem, [&] {
+    return take_kept_step() || (done_.iterations < last_system && take_new_step());
+  });
 }
 
 /// A step by factors of an earlier system, or of an earlier solve; false: they do not help, and nothing has
 /// changed.
 bool IslandNewton::take_kept_step() {
   if (!factors_.are_for(rows_) || factors_.softness() != map_.softness()) return false;
-  done_.sweeps += sweeps_of_a_kept_step;
+  done_.extra_sweeps += sweeps_of_a_kept_step;
   change_ = map_.value();
   factors_.solve(change_);
   return steps_.leap(at(), change_, kept_progress);
@@ -225,7 +224,7 @@ bool IslandNewton::take_kept_step() {
 /// A step by factors of the moment, shortened until it helps; false: it does not.
 bool IslandNewton::take_new_step() {
   Deadline::go_on();
-  ++done_.systems;
+  ++done_.iterations;
   factors_.factorize(rows_, map_, map_.softness());
   change_ = map_.value();
   factors_.solve(change_);

@@ -52,7 +52,7 @@ class IslandNewton {
   /// As Solver::memory().
   std::size_t memory() const {
     const Eigen::Index numbers = center_.numbers() + map_.numbers() + steps_.numbers() + change_.size();
-    return rows_.memory() + interior_.memory() + factors_.memory() + best_.impulse.bytes() + inside_.bytes() +
+    return rows_.memory() + interior_.memory() + factors_.memory() + best_.impulse.bytes() +
            static_cast<std::size_t>(numbers) * sizeof(double);
   }
 
@@ -61,11 +61,6 @@ class IslandNewton {
   struct Best {
     PerRow<double> impulse;  // [N s]
     double residual = 0;
-  };
-
-  struct Work {
-    int systems = 0;  // solved by factors of their own
-    int sweeps = 0;   // done between them, or what takes as long
   };
 
   void answer(const VelocityProblem<double>& problem, bool again);
@@ -98,12 +93,11 @@ class IslandNewton {
   InteriorRows interior_;
   SlopeFactors factors_;           // of the last system, in this solve or in an earlier one
   Vector<double> change_;          // a step of Newton's method
-  PerRow<double> inside_;          // [N s] impulses on the way through the interior
   VelocityProblem<double> swept_;  // a copy for sweeps
   Best best_;
   double caution_ = 1;        // how many times softer than by R_E the next start is
   std::uint64_t solved_ = 0;  // the number of the problem whose rows it has
-  Work done_;                 // in this solve
+  SolveReport done_;          // in this solve
 };
 
 }  // namespace cairn

@@ -31,7 +31,7 @@ void IslandNewton::follow_interior() {
     double share = 1;
     int idle = 0;
     for (int step = 0; step < steps_of_one_attempt && share > least_share; ++step) {
-      if (best_.residual <= enough() || done_.systems >= settings_.iterations || idle == most_idle) return;
+      if (best_.residual <= enough() || done_.iterations >= settings_.iterations || idle == most_idle) return;
       const double before = residual();
       share = take_interior_step();
       idle = share >= whole_share && residual() > least_progress * before ? idle + 1 : 0;
@@ -44,7 +44,7 @@ void IslandNewton::follow_interior() {
 double IslandNewton::take_interior_step() {
   Deadline::go_on();
   interior_.linearize(rows_, center_.error_of_a_row());
-  ++done_.systems;
+  ++done_.iterations;
   factors_.factorize(rows_, interior_, 0.0);
   const auto aim = [this](double target) {
     interior_.find_direction(rows_, target, change_, [this] { factors_.solve(change_); });
@@ -58,8 +58,9 @@ double IslandNewton::take_interior_step() {
   const double share = std::min(1.0, share_of_way * interior_.longest_step());
   if (!change_.allFinite()) return 0;
   interior_.go(rows_, share);
-  rows_.copy_impulses(interior_.x(), inside_);
-  center_.go_to(rows_, inside_);
+  PerRow<double> inside;
+  rows_.copy_impulses(interior_.x(), inside);
+  center_.go_to(rows_, inside);
   note_center();
   return share;
 }

@@ -46,31 +46,23 @@ Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, So
 template <Scalar Real>
 LaneSteps<Real> LaneSystem<Real>::gather_momentum(VelocityProblem<Real>& problem, Real momentum) {
   before_.bodies = bodies_;
-  momentum_ = momentum;
+  before_.momentum = momentum;
   if (momentum > 0) return pass<LanePass::momentum>(problem);
-  before_.rows.assign(rows_.size(), LaneImpulse{});
-  for (int i = 0; i < rows_.size(); ++i) std::copy_n(rows_[i].impulse, lane_count, before_.rows[i].impulse);
-  before_.singles.clear();
-  for (const int i : batches_.single_rows()) before_.singles.push_back(problem.impulse[i]);
+  before_.remember(rows_, batches_.single_rows(), problem.impulse);
   return {};
 }
 
 template <Scalar Real>
 void LaneSystem<Real>::take_again(VelocityProblem<Real>& problem) {
   write_back(problem);
-  for (int i = 0; i < before_.rows.size(); ++i) {
-    for (int lane = 0; lane < lane_count; ++lane) before_.rows[i].impulse[lane] -= rows_[i].impulse[lane];
-  }
+  before_.take_off(rows_);
   take(problem);
 }
 
 template <Scalar Real>
 void LaneSystem<Real>::undo(VelocityProblem<Real>& problem) {
   bodies_ = before_.bodies;
-  for (int i = 0; i < rows_.size(); ++i) std::copy_n(before_.rows[i].impulse, lane_count, rows_[i].impulse);
-  for (int k = 0; k < before_.singles.size(); ++k) {
-    problem.impulse[batches_.single_rows()[k]] = before_.singles[k];
-  }
+  before_.give_back(rows_, batches_.single_rows(), problem.impulse);
 }
 
 /// Colour by colour: batches of one share no body that can move.
@@ -119,7 +111,7 @@ LaneProblem LaneSystem<Real>::lane_problem() {
           .bodies = bodies_.data(),
           .before = before_.rows.data(),
           .relaxation = static_cast<float>(relaxation_),
-          .momentum = static_cast<float>(momentum_)};
+          .momentum = static_cast<float>(before_.momentum)};
 }
 
 /// In the problem's own precision, but for the velocities' changes. Impulses are those of the problem.
@@ -136,7 +128,7 @@ LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& proble
     const Real corrective = relaxation_ * wanted;
     Real wish = kind == LanePass::weigh ? wanted : corrective;
     if constexpr (kind == LanePass::momentum) {
-      wish = momentum_ * (old - before_.singles[k]);
+      wish = before_.momentum * (old - before_.singles[k]);
       before_.singles[k] = old;
     }
     const Real now = row.bounds.clamp(old + wish, problem.impulse), step = now - old;

@@ -248,8 +248,7 @@ template <Scalar Real>
 std::size_t LaneSystem<Real>::bytes() const {
   return batches_.bytes() + contacts_.bytes() + rows_.bytes() + couplings_.bytes() + bodies_.bytes() +
          from_.inverse_mass.bytes() + from_.root.bytes() + from_.velocity.bytes() + from_.impulse.bytes() +
-         single_.mass.bytes() + single_.contact_rows.bytes() + before_.rows.bytes() + before_.bodies.bytes() +
-         before_.singles.bytes();
+         single_.mass.bytes() + single_.contact_rows.bytes() + before_.bytes();
 }
 
 template class LaneSystem<float>;

@@ -5,6 +5,7 @@
 #include <cairn/solvers/solver.hpp>
 #include <cairn/solvers/wide/lane_batches.hpp>
 #include <cairn/solvers/wide/lane_contacts.hpp>
+#include <cairn/solvers/wide/lane_momentum.hpp>
 #include <cairn/solvers/wide/lane_sets.hpp>
 
 namespace cairn {
@@ -87,12 +88,6 @@ class LaneSystem {
     List<ConstraintRow<Real>> contact_rows;  // of contacts without rows
     List<Real> mass;                         // [kg] 1 / A_ii
   };
-  /// Where the sweep began.
-  struct Before {
-    List<LaneImpulse> rows;
-    PerBody<LaneBody<float>> bodies;
-    List<Real> singles;  // [N s]
-  };
 
   template <typename OfRows, typename OfContacts>
   void for_each_run(const OfRows& of_rows, const OfContacts& of_contacts) const;
@@ -134,8 +129,7 @@ class LaneSystem {
   PerBody<LaneBody<float>> bodies_;  // and one that nothing moves
   TakenOver from_;
   Singles single_;
-  Before before_;
-  Real momentum_ = 0;               // of the pass that gathers it
+  LaneMomentum<Real> before_;
   LaneFilling<Real> filling_ = {};  // scratch, for one batch
 };
 
