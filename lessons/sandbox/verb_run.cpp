@@ -1,7 +1,7 @@
 // cairn run: a scene, its numbers, and a film of it.
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -34,13 +34,12 @@ void write_series(const SceneRun& run, int every, const std::string& path, Conso
   console.narrate(fmt::format("written: {}", path));
 }
 
-bool is_svg(const std::string& path) { return std::filesystem::path(path).extension() == ".svg"; }
-
 /// What --track, --every, --csv and --plot say to each other.
 void check_track_words(const Words& words, const std::string& csv) {
-  const std::string ending = std::filesystem::path(words.text("plot").value_or(".png")).extension().string();
-  if (ending != ".png" && ending != ".svg")
-    words.refuse("plot", "a name with .png or .svg", *words.text("plot"));
+  if (const std::optional<std::string> plot = words.text("plot")) {
+    const bool has_ending = plot->ends_with(".png") || plot->ends_with(".svg");
+    if (!has_ending) words.refuse("plot", "a name that ends in .png or .svg", *plot);
+  }
   if (words.has("track") && csv.empty() && !words.has("plot"))
     throw UsageError("cairn run: --track needs --csv or --plot to say where its numbers go");
   if (words.has("plot") && !words.has("track")) throw UsageError("cairn run: --plot needs --track");
@@ -54,7 +53,7 @@ void write_plot(const SceneEntry& scene, const SceneRun& run, const std::string&
                          .state = setting_text(run.setting),
                          .tracks = run.tracks->tracks(),
                          .times = run.tracks->times()};
-  write_whole_file(path, draw_tracks(chart, theme, is_svg(path)));
+  write_whole_file(path, draw_tracks(chart, theme, path.ends_with(".svg")));
   console.narrate(fmt::format("written: {}", path));
 }
 
@@ -128,7 +127,7 @@ Verb run_verb() {
       .examples = {"run stack", "run chain-bob --solver si:20 --substeps 4",
                    "run arch --frames out/arch --show loads --theme dark",
                    "run puck --apng puck.png --show trails --seconds 2s",
-                   "run chain-bob --track '*.drift,bob.y' --csv - --plot bob.svg"},
+                   "run chain-bob --track chain.bob.y,chain.joint.1.force --csv - --plot bob.svg"},
       .run = run_run};
 }
 

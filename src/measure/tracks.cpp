@@ -157,12 +157,14 @@ bool TrackRecorder::take_bodies(const std::string& name, const std::string& quan
 }
 
 bool TrackRecorder::take_joints(const std::string& name, const std::string& quantity) {
+  std::map<JointId, std::string> in_order;
+  for (const auto& entry : names_.joints) in_order[entry.second] = entry.first;
   bool found = false;
-  for (const auto& entry : names_.joints) {
-    if (!matches(name, entry.first)) continue;
+  for (const auto& entry : in_order) {
+    if (!matches(name, entry.second)) continue;
     for (const OfJoint& each : joint_quantities) {
       if (!matches(quantity, each.name)) continue;
-      add_track(entry.first + "." + each.name, each.unit, [&each, id = entry.second](const Snapshot& now) {
+      add_track(entry.second + "." + each.name, each.unit, [&each, id = entry.first](const Snapshot& now) {
         for (const SnapshotJoint& joint : now.joints) {
           if (joint.id == id) return each.of(joint, now.dt);
         }
@@ -262,9 +264,12 @@ void TrackRecorder::refuse(const std::string& pattern) const {
   for (const std::string& name : names_.bodies) add_names(body_quantities, name + ".", known);
   for (const auto& entry : names_.joints) add_names(joint_quantities, entry.first + ".", known);
   const std::string near = nearest(pattern, known);
+  const std::string body = names_.bodies.size() > 1 ? names_.bodies[{1}] : "NAME";
+  const std::string joint = names_.joints.empty() ? "" : ", " + names_.joints.begin()->first + ".force";
   require(false, "TrackRecorder", "track",
-          near.empty() ? "a quantity of the scene, NAME.QUANTITY or A:B.QUANTITY of what it has"
-                       : "a known quantity (" + near + "?)",
+          near.empty()
+              ? "a quantity such as energy, " + body + ".y" + joint + " or ground:" + body + ".normal"
+              : "a known quantity (" + near + "?)",
           pattern);
 }
 

@@ -73,7 +73,7 @@ class TrackRecorder {
   void take_pair(const Pair& pair, const std::string& quantity);
   void meet_pairs();
   void add_track(const std::string& name, const std::string& unit, Source source);
-  [[noreturn]] void refuse(const std::string& pattern) const;
+  void refuse(const std::string& pattern) const;
 
   TrackNames names_;
   List<Track> tracks_;

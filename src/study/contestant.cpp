@@ -92,6 +92,7 @@ class Box2DContestant final : public Contestant {
     result.step = steps_;
     return result;
   }
+  void sum_impulses() override { impulses_.emplace(); }
   std::int64_t row_updates(const Snapshot& after) const override {
     return rows(after) * setting_.sweeps.iterations;
   }
