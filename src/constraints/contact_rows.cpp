@@ -77,10 +77,13 @@ struct ContactRows {
   }
   void add_friction(const Vec2<Real>& point, std::uint32_t feature, int normal_row, int second) {
     const Vec2<Real> tangent = -perpendicular(contact.manifold.normal);
-    add(point, tangent, friction_part(feature)).bounds =
-        problem.rule.only_corrects ? Bounds<Real>::at_most(0)
-                                   : Bounds<Real>::coulomb(contact.friction, normal_row, second);
-    if (second_rows) second_rows->push_back({});
+    ConstraintRow<Real>& row = add(point, tangent, friction_part(feature));
+    row.bounds = problem.rule.only_corrects ? Bounds<Real>::at_most(0)
+                                            : Bounds<Real>::coulomb(contact.friction, normal_row, second);
+    // Surfaces that face each other run along the tangent in opposite directions.
+    if (!problem.surface_speed.empty() && !problem.rule.only_corrects)
+      row.bias = problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
+    if (second_rows) second_rows->push_back({.bias = row.bias});
   }
 };
 

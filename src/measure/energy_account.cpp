@@ -18,10 +18,11 @@ double motor_power(double speed, double force) { return speed == 0 ? 0 : std::ab
 
 /// [m/s] Of the fastest point of a body that moves by itself; 0 of any other.
 double own_speed(const BodySpec& spec) {
-  if (spec.type != BodyType::kinematic) return 0;
+  const double of_surface = std::abs(spec.material.surface_speed);
+  if (spec.type != BodyType::kinematic) return of_surface;
   double radius = 0;
   for (const Shape<double>& shape : spec.shapes) radius = std::max(radius, bounding_radius(shape));
-  return spec.velocity.norm() + std::abs(spec.angular_velocity) * radius;
+  return spec.velocity.norm() + std::abs(spec.angular_velocity) * radius + of_surface;
 }
 
 }  // namespace

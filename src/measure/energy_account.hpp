@@ -41,7 +41,7 @@ class EnergyAccount {
 /// is as good as infinitely heavy: nothing leaves it faster than it came by more than twice its speed.
 class Drive {
  public:
-  /// Of its motors, those that events will switch on, and its kinematic bodies.
+  /// Of its motors, those that events will switch on, its kinematic bodies and surfaces that run.
   explicit Drive(const Scene& scene);
   /// [J] The most that the bodies can have after `time` [s] in `steps` steps, if they had `energy` [J]
   /// without what drives them; infinite with a motor whose force nothing bounds.
@@ -49,7 +49,7 @@ class Drive {
 
  private:
   double power_ = 0;  // [W] of all motors
-  double speed_ = 0;  // [m/s] of any point of a body that moves by itself
+  double speed_ = 0;  // [m/s] of any point of a body that moves by itself, and of any surface that runs
   double mass_ = 0;   // [kg] of all bodies that can be moved
 };
 

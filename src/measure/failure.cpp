@@ -68,6 +68,7 @@ bool is_driven(const Scene& scene) {
     return body.spec.type == BodyType::kinematic &&
            !(body.spec.velocity.isZero(0) && body.spec.angular_velocity == 0);
   };
+  const auto runs = [](const SceneBody& body) { return body.spec.material.surface_speed != 0; };
   const auto switches_motor = [](const SceneEvent& event) {
     return std::holds_alternative<SwitchMotor>(event.action);
   };
@@ -79,6 +80,7 @@ bool is_driven(const Scene& scene) {
     return std::any_of(rows.begin(), rows.end(), [](const RowSpec<double>& row) { return row.speed != 0; });
   };
   return std::any_of(scene.bodies().begin(), scene.bodies().end(), moves_by_itself) ||
+         std::any_of(scene.bodies().begin(), scene.bodies().end(), runs) ||
          std::any_of(scene.events().begin(), scene.events().end(), switches_motor) ||
          std::any_of(scene.joints().begin(), scene.joints().end(), gives_energy);
 }

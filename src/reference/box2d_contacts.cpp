@@ -70,7 +70,10 @@ void Box2DContacts::EndContact(b2Contact* contact) { touching_.erase(parts_of(*c
 /// Called once when the step begins, and again where continuous collision stops a body within the step: then
 /// the points that are known already stay where they were.
 void Box2DContacts::PreSolve(b2Contact* contact, const b2Manifold* old_manifold) {
-  Touching& touching = touching_[parts_of(*contact)];
+  const Parts parts = parts_of(*contact);
+  contact->SetTangentSpeed(static_cast<float>(surface_speeds_[parts.first / most_box2d_parts] +
+                                              surface_speeds_[parts.second / most_box2d_parts]));
+  Touching& touching = touching_[parts];
   if (touching.step != step_) touching = {.step = step_};
   b2WorldManifold world;
   contact->GetWorldManifold(&world);

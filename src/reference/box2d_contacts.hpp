@@ -17,13 +17,16 @@ namespace cairn {
 /// move on with the bodies, and their impulses leave out what continuous collision adds.
 class Box2DContacts final : public b2ContactListener {
  public:
+  /// Of surfaces that run with these speeds [m/s], one for each collider.
+  explicit Box2DContacts(List<double> surface_speeds) : surface_speeds_(std::move(surface_speeds)) {}
+
   /// Forgets that contacts were new. Those that Box2D does not report in this step, because their bodies
   /// sleep, stay as they are.
   void begin_step();
 
   /// Forgets the contact.
   void EndContact(b2Contact* contact) override;
-  /// Notes where its points are before they are solved.
+  /// Notes where its points are before they are solved, and tells Box2D how fast surfaces run.
   void PreSolve(b2Contact* contact, const b2Manifold* old_manifold) override;
   /// Adds the impulses [N s] that it was given.
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
@@ -44,6 +47,7 @@ class Box2DContacts final : public b2ContactListener {
 
   static Parts parts_of(const b2Contact& contact);
 
+  List<double> surface_speeds_;
   int step_ = 0;
   std::map<Parts, Touching> touching_;
 };

@@ -94,6 +94,16 @@ void check_event(const SceneEvent& event) {
           "a removal or an impulse, as its joints have no motor", "a motor");
 }
 
+/// [m/s] Of each collider.
+List<double> surface_speeds(const Scene& scene) {
+  List<double> speeds;
+  for (const SceneBody& body : scene.bodies()) {
+    for (const Shape<double>& shape : body.spec.shapes)
+      speeds.resize(speeds.size() + piece_count(shape), body.spec.material.surface_speed);
+  }
+  return speeds;
+}
+
 }  // namespace
 
 struct Box2DWorld::Simulation {
@@ -115,7 +125,10 @@ struct Box2DWorld::Simulation {
 };
 
 Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& the_settings)
-    : scene(the_scene), settings(the_settings), world(to_box2d(scene.settings().gravity)) {
+    : scene(the_scene),
+      settings(the_settings),
+      contacts(surface_speeds(scene)),
+      world(to_box2d(scene.settings().gravity)) {
   check(settings);
   for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
   for (const SceneEvent& event : scene.events()) check_event(event);

@@ -127,6 +127,8 @@ List<SceneKey> scene_body_keys() {
        "mu; two surfaces: sqrt(mu_a mu_b)"},
       {"matter", "restitution", nested(&BodySpec::material, &Material::restitution), "", "from 0 to 1",
        "e; two surfaces: the larger one"},
+      {"matter", "surface_speed", nested(&BodySpec::material, &Material::surface_speed), "m/s", "",
+       "of a belt: to the right where it faces up"},
       {"matter", "linear_damping", nested(&BodySpec::damping, &Damping::linear), "1/s", ">= 0",
        "slows its motion"},
       {"matter", "angular_damping", nested(&BodySpec::damping, &Damping::angular), "1/s", ">= 0",

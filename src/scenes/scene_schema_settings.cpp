@@ -42,6 +42,8 @@ List<SceneKey> scene_top_keys() {
        "coefficient mu"},
       {"ground", "restitution", nested(&GroundSpec::material, &Material::restitution), "", "from 0 to 1",
        "coefficient e"},
+      {"ground", "surface_speed", nested(&GroundSpec::material, &Material::surface_speed), "m/s", "",
+       "of a belt: to the right"},
       {"camera", "center", &SceneCamera::center, "m", "", "middle of the picture"},
       {"camera", "height", &SceneCamera::height, "m", "> 0", "of what the picture shows"},
   };

@@ -149,6 +149,39 @@ ValidationResult friction_heat(const EngineMaker&) {
   return result;
 }
 
+const double belt_speed = 2;       // [m/s] s
+const double belt_friction = 0.4;  // mu
+
+/// At rest at first.
+Scene block_on_belt(double frequency) {
+  Scene scene({.dt = 1 / frequency});
+  scene.add_ground({.material = {.friction = belt_friction, .surface_speed = belt_speed}});
+  scene.add({.shapes = {box(1, 0.5)},
+             .position = {0, 0.25},
+             .mass = slide_mass,
+             .material = {.friction = belt_friction}});
+  return scene;
+}
+
+// Every step adds mu g dt to the speed, and goes as far as the speed that it has then: s dt / 2 more in all.
+ValidationResult belt(const EngineMaker& make) {
+  const double seconds = 2, ideal = belt_speed * seconds -
+                                    belt_speed * belt_speed / (2 * belt_friction * standard_gravity);
+  ValidationResult result;
+  const Snapshot end = run_scene(make, block_on_belt(60), 50, seconds);
+  const std::string reason = "the sums are exact; 50 sweeps of a contact at two points leave rounding";
+  result.add(measured("way in 2 s at 60 Hz", end.bodies.back().pose.position.x(), "m")
+                 .by("s t - s^2/(2 mu g) + s dt/2", ideal + belt_speed * standard_dt / 2)
+                 .within(1e-9, reason));
+  result.add(measured("speed when it keeps up", end.bodies.back().velocity.x(), "m/s")
+                 .by("s", belt_speed)
+                 .within(1e-9, reason));
+  result.convergence = converges("way in 2 s, to s t - s^2/(2 mu g)", [&](double frequency) {
+    return run_scene(make, block_on_belt(frequency), 50, seconds).bodies.back().pose.position.x() - ideal;
+  });
+  return result;
+}
+
 }  // namespace
 
 void add_slide_cases(ValidationCases& cases) {
@@ -159,6 +192,10 @@ void add_slide_cases(ValidationCases& cases) {
   cases.push_back({.id = "B7",
                    .title = "Friction turns into heat what a body loses, which is mu m g times the way slid",
                    .run = friction_heat});
+  cases.push_back({.id = "B44",
+                   .title = "A block laid on a belt keeps up after s / (mu g), s^2 / (2 mu g) behind",
+                   .asks = Asks::any_engine,
+                   .run = belt});
 }
 
 }  // namespace cairn

@@ -74,6 +74,8 @@ Plan make_plan(const Scene& scene) {
     plan.damping |= dynamic && (spec.damping.linear > 0 || spec.damping.angular > 0);
     rubbing_bodies += spec.material.friction > 0 && !spec.shapes.empty();
     plan.restitution |= spec.material.restitution > 0 && !spec.shapes.empty();
+    plan.surface_speed |=
+        spec.material.surface_speed != 0 && spec.material.friction > 0 && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
       plan.size.colliders += piece_count(shape);
       kinds.insert(shape_name(shape));
@@ -82,6 +84,7 @@ Plan make_plan(const Scene& scene) {
   plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
   plan.friction = plan.collision && rubbing_bodies > 1;
   plan.restitution &= plan.collision;
+  plan.surface_speed &= plan.friction;
   plan.size.joints = scene.joints().size();
   plan.broadphase = plan.size.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   const SceneSettings& settings = scene.settings();
@@ -93,7 +96,8 @@ Plan make_plan(const Scene& scene) {
   plan.follows_arcs = policy == StabilizationPolicy::relaxed && plan.size.joints > 0;
   plan.second_solve = second_solve(policy, plan.collision || plan.size.joints > 0);
   plan.contacts_without_rows = plan.collision && plan.second_solve != SecondSolve::positions &&
-                               (settings.friction_rows == FrictionRows::per_point || !plan.friction);
+                               (settings.friction_rows == FrictionRows::per_point || !plan.friction) &&
+                               !plan.surface_speed;
   plan.size.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }
@@ -116,6 +120,7 @@ std::string explain(const Plan& plan) {
                                             : "one row a manifold, where mu > 0",
                                   "left out: no two bodies with mu > 0, no friction rows"));
   text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
+  if (plan.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
   text += line("rotation", plan.size.turning_bodies == plan.size.dynamic_bodies

@@ -39,6 +39,7 @@ struct Plan {
   bool damping = false;                                   // some body has it
   bool friction = false;                                  // some pair of bodies with mu > 0
   bool restitution = false;                               // some body with e > 0
+  bool surface_speed = false;                             // some surface runs, and rubs on others
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
   bool follows_arcs = false;                              // joints are asked to hold where a substep ends

@@ -54,6 +54,7 @@ void check_material(const BodySpec& spec, const char* place) {
           spec.density);
   require_friction(spec.material.friction, place);
   require_unit_interval(spec.material.restitution, place, "restitution");
+  require_finite(spec.material.surface_speed, place, "surface_speed", "m/s");
   require_range(spec.damping.linear, 0, place, "linear_damping", "1/s");
   require_range(spec.damping.angular, 0, place, "angular_damping", "1/s");
 }
@@ -224,6 +225,7 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
           "> 0 m and finite", spec.thickness);
   require_friction(spec.material.friction, "Scene::add_ground");
   require_unit_interval(spec.material.restitution, "Scene::add_ground", "restitution");
+  require_finite(spec.material.surface_speed, "Scene::add_ground", "surface_speed", "m/s");
   SceneBody& body = own_bodies()[ground];
   body.spec.material = spec.material;
   body.spec.shapes.push_back(

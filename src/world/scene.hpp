@@ -63,8 +63,10 @@ struct SceneSettings {
 /// What a surface is like. Where two touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in
 /// Box2D.
 struct Material {
-  double friction = 0.6;   // mu
-  double restitution = 0;  // e, in [0, 1]
+  double friction = 0.6;     // mu
+  double restitution = 0;    // e, in [0, 1]
+  double surface_speed = 0;  // [m/s] with which it runs around its body, as a belt does: to the right where
+                             // it faces up
 
   /// Member by member.
   bool operator==(const Material&) const = default;

@@ -80,6 +80,7 @@ BodyTraits<Real> traits_of(const BodySpec& spec, double smallest, Real radius) {
   return {.slop_limit = static_cast<Real>(slop_share * smallest),
           .failed_error = static_cast<Real>(failed_share * smallest),
           .friction_root = std::sqrt(spec.material.friction),
+          .surface_speed = static_cast<Real>(spec.material.surface_speed),
           .radius = radius};
 }
 
