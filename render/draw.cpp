@@ -77,10 +77,12 @@ void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, cons
   page.canvas().push_clip(camera.viewport);
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
     if (!can_move(body)) draw_static_body(page, camera, body, id);
+    if (!can_move(body)) draw_belt(page, camera, body, id, snapshot.time);
   });
   draw_joint_lines(page, camera, snapshot);
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
     if (can_move(body)) draw_dynamic_body(page, camera, body, id, look);
+    if (can_move(body)) draw_belt(page, camera, body, id, snapshot.time);
   });
   draw_joint_ends(page, camera, snapshot);
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {

@@ -50,6 +50,8 @@ double name_size(const Page& page, const Camera& camera, const SnapshotBody& bod
 void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id);
 void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,
                        const WorldLook& look);
+/// Marks along a surface that runs, which go with it: `time` [s] is that of the picture.
+void draw_belt(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, double time);
 void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, const WorldLook& look);
 
 /// What is seen behind the bodies: rods, and the arms of pins that are outside their body.

@@ -27,6 +27,11 @@ class BodyKinds {
   void add(const BodyForces<Real>& forces, const BodyTraits<Real>& traits);
   /// Those of a body.
   const BodyTraits<Real>& operator[](BodyId body) const { return traits_[kind_[body]]; }
+  /// [m/s] Of all bodies.
+  void copy_surface_speeds(PerBody<Real>& speeds) const {
+    speeds.clear();
+    for (const int kind : kind_) speeds.push_back(traits_[kind].surface_speed);
+  }
   /// As apply_gravity().
   void pull(PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass, const Vec2<Real>& gravity,
             Real time) const {

@@ -19,6 +19,7 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
           .removed = body.removed,
           .sensor = body.spec.sensor,
           .filter = body.spec.filter,
+          .surface_speed = body.spec.material.surface_speed,
           .shapes = body.spec.shapes};
 }
 

@@ -27,6 +27,7 @@ struct SnapshotBody {
   bool removed = false;                   // an empty place, where a body of the scene was
   bool sensor = false;                    // is seen to touch, and neither pushes nor is pushed
   CollisionFilter filter = {};            // with which others it collides
+  double surface_speed = 0;               // [m/s] with which its surface runs around it
   SharedList<Shape<double>> shapes = {};  // in the frame of `pose`
 };
 

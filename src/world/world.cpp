@@ -57,17 +57,6 @@ StepReport World<Real>::step(Solver<Real>& solver, const StepWatch<Real>& watch)
 }
 
 template <Scalar Real>
-StepReport World<Real>::step(Solver<Real>& solver, SolveObserver<Real>* observer) {
-  return step(solver, StepWatch<Real>{.solves = observer});
-}
-
-template <Scalar Real>
-StepReport World<Real>::step(Solver<Real>& solver, StepImpulses& impulses) {
-  impulses.clear();
-  return step(solver, StepWatch<Real>{.impulses = &impulses});
-}
-
-template <Scalar Real>
 StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& watch) {
   const Occupation::Scope scope(occupation_, "World::step");
   StepReport report;

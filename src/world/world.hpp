@@ -59,9 +59,14 @@ class World {
   /// done: bodies, time, events and hand are as before it, but last_step() may be empty. The next step has
   /// the bits that it would have had; only where the scene has substeps it may begin from impulses of those
   /// that were done, with what these woke awake.
-  StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr);
+  StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr) {
+    return step(solver, StepWatch<Real>{.solves = observer});
+  }
   /// The same to the same bits, with what contacts and joints give in all of it.
-  StepReport step(Solver<Real>& solver, StepImpulses& impulses);
+  StepReport step(Solver<Real>& solver, StepImpulses& impulses) {
+    impulses.clear();
+    return step(solver, StepWatch<Real>{.impulses = &impulses});
+  }
   /// The problem that step() would hand to its solver first: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
 
