@@ -229,7 +229,7 @@ TEST_CASE("whoever gives a type another field is reminded of the tables above") 
   const auto& [iterations, tolerance, budget, order, seed, relaxation, patience] = SolverSettings{};
   const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, material, damping,
                scale, fixed, sensor, filter] = BodySpec{};
-  const auto& [friction, rebound] = material;
+  const auto& [friction, rebound, running] = material;
   const auto& [drag, turning_drag] = damping;
   const auto& [category, collides] = filter;
   CHECK(substeps == 1);
@@ -238,6 +238,7 @@ TEST_CASE("whoever gives a type another field is reminded of the tables above") 
   CHECK(patience == 0);
   CHECK(density == 1);
   CHECK(friction > rebound);
+  CHECK(running == 0);
   CHECK(drag == turning_drag);
   CHECK(category != collides);
 }

@@ -116,6 +116,7 @@ TEST_CASE("a field of a body, of settings or of a ground that cannot be is refus
        {"density", "> 0 kg/m^2 and finite", of(&BodySpec::density), {0, -1}},
        {"friction", mu, of(&BodySpec::material, &Material::friction), {-0.1, 1.1e6}},
        {"restitution", share, of(&BodySpec::material, &Material::restitution), {-0.1, 1.0001}},
+       {"surface_speed", "a finite number of m/s", of(&BodySpec::material, &Material::surface_speed)},
        {"linear_damping", ">= 0 1/s and finite", of(&BodySpec::damping, &Damping::linear), {-0.1}},
        {"angular_damping", ">= 0 1/s and finite", of(&BodySpec::damping, &Damping::angular), {-0.1}}});
   check_vector_refusals("Scene::add", {{"position", "finite numbers of m", of(&BodySpec::position)},
@@ -133,7 +134,9 @@ TEST_CASE("a field of a body, of settings or of a ground that cannot be is refus
                  {{"height", "a finite number of m", of(&GroundSpec::height)},
                   {"half_width", "> 0 m and finite", of(&GroundSpec::half_width), {0, -1}},
                   {"friction", mu, of(&GroundSpec::material, &Material::friction), {-0.1, 1.1e6}},
-                  {"restitution", share, of(&GroundSpec::material, &Material::restitution), {-0.1, 2}}});
+                  {"restitution", share, of(&GroundSpec::material, &Material::restitution), {-0.1, 2}},
+                  {"surface_speed", "a finite number of m/s",
+                   of(&GroundSpec::material, &Material::surface_speed)}});
 }
 
 TEST_CASE("anchors and lengths of joints that cannot be are refused by name") {
