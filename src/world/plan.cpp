@@ -95,9 +95,6 @@ Plan make_plan(const Scene& scene) {
   const StabilizationPolicy policy = settings.stabilization.policy;
   plan.follows_arcs = policy == StabilizationPolicy::relaxed && plan.size.joints > 0;
   plan.second_solve = second_solve(policy, plan.collision || plan.size.joints > 0);
-  plan.contacts_without_rows = plan.collision && plan.second_solve != SecondSolve::positions &&
-                               (settings.friction_rows == FrictionRows::per_point || !plan.friction) &&
-                               !plan.surface_speed;
   plan.size.shape_kinds.assign(kinds.begin(), kinds.end());
   return plan;
 }

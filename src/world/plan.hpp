@@ -44,8 +44,12 @@ struct Plan {
   bool keeps_manifolds = false;                           // and longer than a step
   bool follows_arcs = false;                              // joints are asked to hold where a substep ends
   SecondSolve second_solve = SecondSolve::none;           // what else is solved
-  bool contacts_without_rows = false;                     // some solvers take them so
 
+  /// Whether solvers that take contacts are given them without rows.
+  bool contacts_without_rows() const {
+    const bool is_plain = !surface_speed && (settings.friction_rows == FrictionRows::per_point || !friction);
+    return collision && second_solve != SecondSolve::positions && is_plain;
+  }
   /// Whether the second solve is one of velocities.
   bool solves_again() const {
     return second_solve == SecondSolve::from_start || second_solve == SecondSolve::from_answer;

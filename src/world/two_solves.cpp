@@ -120,7 +120,7 @@ const PerBody<Vec3<Real>>& TwoSolves<Real>::solve(const Parts& parts, Solver<Rea
                                                   SolveObserver<Real>* observer, StepReport& report) {
   const Plan& plan = parts.step.plan;
   VelocityProblem<Real>& problem = parts.record.problem;
-  const bool with_rows = observer || !plan.contacts_without_rows || !solver.takes_contacts();
+  const bool with_rows = observer || !plan.contacts_without_rows() || !solver.takes_contacts();
   report.joints_apart = write(parts, ForcesOf::last_substep, with_rows);
   const int rows = problem.impulse.size();
   report.rows_solved += rows;

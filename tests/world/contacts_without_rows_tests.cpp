@@ -115,11 +115,11 @@ TEST_CASE("patience, split impulses and one row of friction for two points ask f
   CHECK(WideSequentialImpulse<double>({.tolerance = 1e-6}).takes_contacts());
   CHECK_FALSE(WideSequentialImpulse<double>({.patience = 8}).takes_contacts());
   CHECK_FALSE(SequentialImpulse<double>().takes_contacts());
-  CHECK(make_plan(leaning_wall({})).contacts_without_rows);
+  CHECK(make_plan(leaning_wall({})).contacts_without_rows());
   SceneSettings split;
   split.stabilization.policy = StabilizationPolicy::split_impulse;
-  CHECK_FALSE(make_plan(leaning_wall(split)).contacts_without_rows);
-  CHECK_FALSE(make_plan(leaning_wall({.friction_rows = FrictionRows::per_manifold})).contacts_without_rows);
+  CHECK_FALSE(make_plan(leaning_wall(split)).contacts_without_rows());
+  CHECK_FALSE(make_plan(leaning_wall({.friction_rows = FrictionRows::per_manifold})).contacts_without_rows());
 }
 
 TEST_CASE_TEMPLATE("joints and rebounds leave contacts without rows: to the same bits", Real, float, double) {
