@@ -54,11 +54,11 @@ Rod hung_box(const RodSettings& settings) {
                                  .angular_velocity = settings.velocity.z(),
                                  .mass = 1});
   scene.join<DistanceJoint>({.a = ground, .b = body, .anchor_a = {0, 0}, .anchor_b = settings.anchor});
-  const World<double> world(scene);
-  rod.snapshot = snapshot(world);
-  rod.pose = world.bodies().pose[{1}];
+  rod.snapshot = snapshot(scene);
+  const BodyState<double> state = state_of<double>(scene);
+  rod.pose = state.pose[body];
   RowSpecs<double> rows;
-  scene.joints()[0]->append_rows(world.bodies().pose, rows);
+  scene.joints()[0]->append_rows(state.pose, rows);
   rod.row = rows.at(0);
   return rod;
 }

@@ -100,7 +100,7 @@ BoxRun box_at(const Pair& foot, const FeetSettings& settings) {
   VelocityProblem<double> twin = problem;
   ProjectedGaussSeidel<double>({.iterations = settings.sweeps}).solve(twin);
   run.of_matrix = {twin.impulse[0], twin.impulse[1]};
-  run.snapshot = with_box(snapshot(World(box_on_feet(foot, settings.speed))));
+  run.snapshot = with_box(snapshot(box_on_feet(foot, settings.speed)));
   return run;
 }
 

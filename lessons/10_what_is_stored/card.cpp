@@ -3,38 +3,34 @@
 
 namespace cairn {
 
-LessonInfo card() {
-  return {
-      .number = 10,
-      .name = "what_is_stored",
-      .title = "What is stored",
-      .idea =
-          "PGS stores how every row acts on every other; SI stores one number for each row. Count what is "
-          "really there before you optimise.",
-      .paper = "paper 2.3, 4.4, eq (30)",
-      .equations = {"(15)  A = J M⁻¹ Jᵀ                              m × m numbers for m rows",
-                    "(30)  non-zero elements in A = Σ Σ δ(J_i · J_j)   as printed; δ: 1 where not 0",
-                    "(22)  1 / (j M⁻¹ jᵀ)                            one number for each row"},
-      .needs = {"lesson 04", "lesson 06"},
-      .reads = {"src/solvers/non_zeros.hpp", "src/solvers/iterative/sparse_projected_gauss_seidel.hpp",
-                "src/solvers/body_rows.hpp"},
-      .question =
-          "Boxes in a pyramid give two rows of A for each overlap. In the largest pyramid, how many entries "
-          "in "
-          "an average row of A are not zero?",
-      .spoilers = {"12.8", "98.4"},
-      .hints =
-          {"A_ij is not zero where rows i and j share a body that can move.",
-           "A row has two boxes. How many rows does a box in the middle of the pyramid have?",
-           "8 rows for each box, and the two rows of an overlap share both boxes: 8 + 8 − 2, and less at "
-           "the sides."},
-      .parameters = {{"base", 20, 11, 22, "", "boxes in the lowest row of the largest pyramid",
-                      Parameter::Kind::whole},
-                     {"spacing", 1.1, 1.05, 1.8, "m", "between the centres of a row of boxes of 1 m"},
-                     {"sweeps", 10, 1, 50, "", "of each solver, where answers are compared",
-                      Parameter::Kind::whole}},
-      .cover = 1,
-      .next = "bash lessons/run 11   (the bounds of a row depend on another row)"};
-}
+const LessonCard lesson10(
+    {.number = 10,
+     .name = "what_is_stored",
+     .title = "What is stored",
+     .idea = "PGS stores how every row acts on every other; SI stores one number for each row. Count what is "
+             "really there before you optimise.",
+     .paper = "paper 2.3, 4.4, eq (30)",
+     .equations = {"(15)  A = J M⁻¹ Jᵀ                              m × m numbers for m rows",
+                   "(30)  non-zero elements in A = Σ Σ δ(J_i · J_j)   as printed; δ: 1 where not 0",
+                   "(22)  1 / (j M⁻¹ jᵀ)                            one number for each row"},
+     .needs = {"lesson 04", "lesson 06"},
+     .reads = {"src/solvers/non_zeros.hpp", "src/solvers/iterative/sparse_projected_gauss_seidel.hpp",
+               "src/solvers/body_rows.hpp"},
+     .question =
+         "Boxes in a pyramid give two rows of A for each overlap. In the largest pyramid, how many entries "
+         "in "
+         "an average row of A are not zero?",
+     .spoilers = {"12.8", "98.4"},
+     .hints = {"A_ij is not zero where rows i and j share a body that can move.",
+               "A row has two boxes. How many rows does a box in the middle of the pyramid have?",
+               "8 rows for each box, and the two rows of an overlap share both boxes: 8 + 8 − 2, and less at "
+               "the sides."},
+     .parameters = {{"base", 20, 11, 22, "", "boxes in the lowest row of the largest pyramid",
+                     Parameter::Kind::whole},
+                    {"spacing", 1.1, 1.05, 1.8, "m", "between the centres of a row of boxes of 1 m"},
+                    {"sweeps", 10, 1, 50, "", "of each solver, where answers are compared",
+                     Parameter::Kind::whole}},
+     .cover = 1,
+     .next = "bash lessons/run 11   (the bounds of a row depend on another row)"});
 
 }  // namespace cairn

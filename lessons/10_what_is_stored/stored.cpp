@@ -42,7 +42,7 @@ PairCase pair_case(const std::string& title, const List<CaseBody>& bodies,
                .mass = body.mass,
                .inertia = body.inertia()});
   }
-  PairCase result{.title = title, .snapshot = snapshot(World(scene))};
+  PairCase result{.title = title, .snapshot = snapshot(scene)};
   VelocityProblem<double>& problem = result.problem;
   problem.inverse_mass.push_back({0, 0, 0});
   for (const CaseBody& body : bodies) {
@@ -101,7 +101,7 @@ Snapshot with_contacts(const Scene& scene) {
   World world(scene);
   SequentialImpulse solver({.iterations = 1});
   world.step(solver);
-  Snapshot result = snapshot(World(scene));
+  Snapshot result = snapshot(scene);
   result.contacts = snapshot(world).contacts;
   return result;
 }

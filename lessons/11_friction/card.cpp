@@ -3,42 +3,38 @@
 
 namespace cairn {
 
-LessonInfo card() {
-  LessonInfo info;
-  info.number = 11;
-  info.name = "friction";
-  info.title = "Friction";
-  info.idea =
-      "Friction is a row like any other, but its bounds depend on what the normal row beside it gives.";
-  info.paper = "paper 2.2, \"interval of valid values\"; 4.4, contact and friction";
-  info.equations = {"j_n·v ≥ 0,  λ_n ≥ 0            normal row: the contact may push, never pull",
-                    "j_t·v = 0,  |λ_t| ≤ μ λ_n      tangent row: Coulomb's law as bounds"};
-  info.needs = {"lesson 06"};
-  info.reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
-                "src/solvers/iterative/sequential_impulse.cpp"};
-  info.question =
-      "A square block of 1 kg with μ = 0.5 slides down a slope of 30°. Friction is at its limit, 4.33 N at "
-      "both "
-      "corners together. How many newtons of it act at the lower corner?";
-  info.hints = {
-      "Each corner may give μ times its own load. Do both carry the same?",
-      "Friction pulls uphill, at the block's lower side. Around the centre of mass, which way does it "
-      "turn the block?",
-      "All arms are 1/2 m, so λ_n of the lower corner less that of the upper one is the friction, "
-      "4.33 N. Their sum is m g cos α = 8.66 N."};
-  info.spoilers = {"3.25", "6.50", "1.08", "three times", "26.57", "30.96"};
-  using Kind = Parameter::Kind;
-  info.parameters = {{"angle", 30, 5, 35, "°", "angle of the slope"},
-                     {"mu", 0.5, 0.05, 0.8, "", "friction of the slippery block"},
-                     {"mu-rough", 0.6, 0.05, 0.8, "", "friction of the rough one"},
-                     {"mass", 2, 0.001, 1000, "kg", "mass of the rough one's twin"},
-                     {"gravity", 10, 1, 20, "m/s²", "gravity"},
-                     {"dt", 0.02, 0.001, 0.05, "s", "time step"},
-                     {"sweeps", 50, 1, 1000, "", "sweeps per step", Kind::whole},
-                     {"steps", 100, 40, 400, "", "steps", Kind::whole}};
-  info.cover = 1;
-  info.next = "bash lessons/run 12   (rows that belong together, solved together)";
-  return info;
-}
+const LessonCard lesson11(
+    {.number = 11,
+     .name = "friction",
+     .title = "Friction",
+     .idea =
+         "Friction is a row like any other, but its bounds depend on what the normal row beside it gives.",
+     .paper = "paper 2.2, \"interval of valid values\"; 4.4, contact and friction",
+     .equations = {"j_n·v ≥ 0,  λ_n ≥ 0            normal row: the contact may push, never pull",
+                   "j_t·v = 0,  |λ_t| ≤ μ λ_n      tangent row: Coulomb's law as bounds"},
+     .needs = {"lesson 06"},
+     .reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
+               "src/solvers/iterative/sequential_impulse.cpp"},
+     .question = "A square block of 1 kg with μ = 0.5 slides down a slope of 30°. Friction is at its limit, "
+                 "4.33 N at "
+                 "both "
+                 "corners together. How many newtons of it act at the lower corner?",
+     .spoilers = {"3.25", "6.50", "1.08", "three times", "26.57", "30.96"},
+     .hints =
+         {"Each corner may give μ times its own load. Do both carry the same?",
+          "Friction pulls uphill, at the block's lower side. Around the centre of mass, which way does it "
+          "turn the block?",
+          "All arms are 1/2 m, so λ_n of the lower corner less that of the upper one is the friction, "
+          "4.33 N. Their sum is m g cos α = 8.66 N."},
+     .parameters = {{"angle", 30, 5, 35, "°", "angle of the slope"},
+                    {"mu", 0.5, 0.05, 0.8, "", "friction of the slippery block"},
+                    {"mu-rough", 0.6, 0.05, 0.8, "", "friction of the rough one"},
+                    {"mass", 2, 0.001, 1000, "kg", "mass of the rough one's twin"},
+                    {"gravity", 10, 1, 20, "m/s²", "gravity"},
+                    {"dt", 0.02, 0.001, 0.05, "s", "time step"},
+                    {"sweeps", 50, 1, 1000, "", "sweeps per step", Parameter::Kind::whole},
+                    {"steps", 100, 40, 400, "", "steps", Parameter::Kind::whole}},
+     .cover = 1,
+     .next = "bash lessons/run 12   (rows that belong together, solved together)"});
 
 }  // namespace cairn

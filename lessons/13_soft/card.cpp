@@ -3,37 +3,33 @@
 
 namespace cairn {
 
-LessonInfo card() {
-  return {
-      .number = 13,
-      .name = "soft",
-      .title = "A row that gives way",
-      .idea =
-          "A spring can be a row instead of a force. The row asks for less velocity, by γ for every N s "
-          "that it has given. β and γ follow from the spring's stiffness and damping.",
-      .paper = "paper 4.3, with eq (7), (15), (22)",
-      .equations = {"4.3   j·v + γ λ Δt = ζ = −β c / Δt               (11) of a row that gives way",
-                    "      γ = 1 / (Δt (d + Δt k)),  β = Δt k / (d + Δt k)",
-                    "(15)  (A + γ) λ = b                               PGS: γ on the diagonal of A",
-                    "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
-      .needs = {"lesson 03", "lesson 06"},
-      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
-      .question =
-          "A weight of 1 kg presses a spring of 2 Hz by 200 mm. As a force the spring would push with "
-          "−k c = 31.6\u00a0N; a rod whose row has the same β\u00a0=\u00a00.2 pushes with "
-          "110\u00a0N. With how many newtons does "
-          "the spring push as a soft row, in its first step?",
-      .spoilers = {"26.4", "less than either", "30.5"},
-      .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
-                "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
-                "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},
-      .parameters = {{"frequency", 2, 1, 100, "Hz", "of the spring without its damper"},
-                     {"damping", 0.5, 0.1, 2, "", "ratio; 1 is the fastest return without overshoot"},
-                     {"dt", 0.02, 0.005, 0.05, "s", "time step"},
-                     {"mass", 1, 0.01, 100, "kg", "of each weight"},
-                     {"pressed", 0.2, 0, 0.3, "m", "how far the spring is pressed together at the start"}},
-      .cover = 1,
-      .next = "bash lessons/run 14   (one row on any number of bodies)"};
-}
+const LessonCard lesson13(
+    {.number = 13,
+     .name = "soft",
+     .title = "A row that gives way",
+     .idea = "A spring can be a row instead of a force. The row asks for less velocity, by γ for every N s "
+             "that it has given. β and γ follow from the spring's stiffness and damping.",
+     .paper = "paper 4.3, with eq (7), (15), (22)",
+     .equations = {"4.3   j·v + γ λ Δt = ζ = −β c / Δt               (11) of a row that gives way",
+                   "      γ = 1 / (Δt (d + Δt k)),  β = Δt k / (d + Δt k)",
+                   "(15)  (A + γ) λ = b                               PGS: γ on the diagonal of A",
+                   "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
+     .needs = {"lesson 03", "lesson 06"},
+     .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
+     .question = "A weight of 1 kg presses a spring of 2 Hz by 200 mm. As a force the spring would push with "
+                 "−k c = 31.6\u00a0N; a rod whose row has the same β\u00a0=\u00a00.2 pushes with "
+                 "110\u00a0N. With how many newtons does "
+                 "the spring push as a soft row, in its first step?",
+     .spoilers = {"26.4", "less than either", "30.5"},
+     .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
+               "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
+               "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},
+     .parameters = {{"frequency", 2, 1, 100, "Hz", "of the spring without its damper"},
+                    {"damping", 0.5, 0.1, 2, "", "ratio; 1 is the fastest return without overshoot"},
+                    {"dt", 0.02, 0.005, 0.05, "s", "time step"},
+                    {"mass", 1, 0.01, 100, "kg", "of each weight"},
+                    {"pressed", 0.2, 0, 0.3, "m", "how far the spring is pressed together at the start"}},
+     .cover = 1,
+     .next = "bash lessons/run 14   (one row on any number of bodies)"});
 
 }  // namespace cairn

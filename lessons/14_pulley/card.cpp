@@ -3,36 +3,33 @@
 
 namespace cairn {
 
-LessonInfo card() {
-  return {
-      .number = 14,
-      .name = "pulley",
-      .title = "A rope on three bodies",
-      .idea =
-          "A row of J has a block for every body that it touches. A rope over wheels touches three bodies "
-          "in one row. This lesson writes that joint itself, and every solver takes it unchanged.",
-      .paper = "paper 4.2, 4.3",
-      .equations =
-          {"(5)   dc/dt = j·v,  j = (0, r₁, 0,  0, r₂, 0,  0, r₃, 0)     one row, three bodies",
-           "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)                          with three terms in each sum"},
-      .needs = {"lesson 06"},
-      .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
-      .question =
-          "Masses of 1, 2 and 3 kg hang on one rope over wheels without mass or friction, the 2 kg on two "
-          "parts of it. The rope is one row of J. From rest, which λ, the tension in N, does its first "
-          "update "
-          "give?",
-      .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
-      .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
-                "λ follows from (22) with j·v = −4 g Δt: each part of the rope counts.",
-                "j M⁻¹ jᵀ = 1/1 + 4/2 + 1/3."},
-      .parameters = {{"dt", 0.02, 0.0001, 0.1, "s", "time step"},
-                     {"m1", 1, 0.01, 100, "kg", "mass on the left, on one part of the rope"},
-                     {"m2", 2, 0.01, 100, "kg", "mass in the middle, on two parts"},
-                     {"m3", 3, 0.01, 100, "kg", "mass on the right, on one part"},
-                     {"lift", 3, 0, 20, "m/s", "how fast the third mass is thrown up; 0: not at all"}},
-      .cover = 1,
-      .next = "bash lessons/run 15   (two rows of friction that share one limit)"};
-}
+const LessonCard lesson14(
+    {.number = 14,
+     .name = "pulley",
+     .title = "A rope on three bodies",
+     .idea = "A row of J has a block for every body that it touches. A rope over wheels touches three bodies "
+             "in one row. This lesson writes that joint itself, and every solver takes it unchanged.",
+     .paper = "paper 4.2, 4.3",
+     .equations =
+         {"(5)   dc/dt = j·v,  j = (0, r₁, 0,  0, r₂, 0,  0, r₃, 0)     one row, three bodies",
+          "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)                          with three terms in each sum"},
+     .needs = {"lesson 06"},
+     .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
+     .question =
+         "Masses of 1, 2 and 3 kg hang on one rope over wheels without mass or friction, the 2 kg on two "
+         "parts of it. The rope is one row of J. From rest, which λ, the tension in N, does its first "
+         "update "
+         "give?",
+     .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
+     .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
+               "λ follows from (22) with j·v = −4 g Δt: each part of the rope counts.",
+               "j M⁻¹ jᵀ = 1/1 + 4/2 + 1/3."},
+     .parameters = {{"dt", 0.02, 0.0001, 0.1, "s", "time step"},
+                    {"m1", 1, 0.01, 100, "kg", "mass on the left, on one part of the rope"},
+                    {"m2", 2, 0.01, 100, "kg", "mass in the middle, on two parts"},
+                    {"m3", 3, 0.01, 100, "kg", "mass on the right, on one part"},
+                    {"lift", 3, 0, 20, "m/s", "how fast the third mass is thrown up; 0: not at all"}},
+     .cover = 1,
+     .next = "bash lessons/run 15   (two rows of friction that share one limit)"});
 
 }  // namespace cairn

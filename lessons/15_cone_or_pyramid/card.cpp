@@ -3,37 +3,34 @@
 
 namespace cairn {
 
-LessonInfo card() {
-  return {
-      .number = 15,
-      .name = "cone_or_pyramid",
-      .title = "Cone or pyramid",
-      .idea =
-          "Seen from above, friction has two axes, and a row for each. Clamp each row, and the limit is a "
-          "square; clamp the length of the vector, and it is a circle. They brake a puck differently.",
-      .paper = "paper 4.5, the interval of λ in 2.2, eq (22)",
-      .equations =
-          {"(22)     λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         one row for each axis",
-           "square   −μN ≤ λ_x ≤ μN,  −μN ≤ λ_y ≤ μN       two clamps: the pyramid, cut across",
-           "circle   √(λ_x² + λ_y²) ≤ μN                   one clamp, of the vector: the cone, cut across"},
-      .needs = {"lesson 06", "lesson 11"},
-      .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
-      .question =
-          "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s; μ is 0.5, N is 10\u00a0N. With the length "
-          "of λ "
-          "clamped to μN it stops after 2.45\u00a0m. How far from its start does it stop if λ_x and λ_y are "
-          "each "
-          "clamped to μN?",
-      .spoilers = {"1.79", "0.87", "diamond"},
-      .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",
-                "No axis knows of the other: think of two pucks on two rails, at 3 and at 4 m/s.",
-                "Each stops after v²/2μg, and half a step less: 0.87 m along x, 1.56 m along y."},
-      .parameters = {{"dt", 0.02, 0.005, 0.05, "s", "time step"},
-                     {"mu", 0.5, 0.1, 1, "", "friction coefficient"},
-                     {"vx", 3, 2, 10, "m/s", "speed to the right"},
-                     {"vy", 4, 0, 10, "m/s", "speed upwards in the picture"}},
-      .cover = 1,
-      .next = "bash lessons/run 16   (all rows at once: parallel, and dangerous)"};
-}
+const LessonCard lesson15(
+    {.number = 15,
+     .name = "cone_or_pyramid",
+     .title = "Cone or pyramid",
+     .idea = "Seen from above, friction has two axes, and a row for each. Clamp each row, and the limit is a "
+             "square; clamp the length of the vector, and it is a circle. They brake a puck differently.",
+     .paper = "paper 4.5, the interval of λ in 2.2, eq (22)",
+     .equations =
+         {"(22)     λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         one row for each axis",
+          "square   −μN ≤ λ_x ≤ μN,  −μN ≤ λ_y ≤ μN       two clamps: the pyramid, cut across",
+          "circle   √(λ_x² + λ_y²) ≤ μN                   one clamp, of the vector: the cone, cut across"},
+     .needs = {"lesson 06", "lesson 11"},
+     .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
+     .question =
+         "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s; μ is 0.5, N is 10\u00a0N. With the length "
+         "of λ "
+         "clamped to μN it stops after 2.45\u00a0m. How far from its start does it stop if λ_x and λ_y are "
+         "each "
+         "clamped to μN?",
+     .spoilers = {"1.79", "0.87", "diamond"},
+     .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",
+               "No axis knows of the other: think of two pucks on two rails, at 3 and at 4 m/s.",
+               "Each stops after v²/2μg, and half a step less: 0.87 m along x, 1.56 m along y."},
+     .parameters = {{"dt", 0.02, 0.005, 0.05, "s", "time step"},
+                    {"mu", 0.5, 0.1, 1, "", "friction coefficient"},
+                    {"vx", 3, 2, 10, "m/s", "speed to the right"},
+                    {"vy", 4, 0, 10, "m/s", "speed upwards in the picture"}},
+     .cover = 1,
+     .next = "bash lessons/run 16   (all rows at once: parallel, and dangerous)"});
 
 }  // namespace cairn

@@ -37,7 +37,7 @@ Snapshot picture_of(int feet) {
     scene.add(
         {.type = BodyType::static_body, .shapes = {box(0.03, 0.12)}, .position = {foot_at(i, feet), 0.06}});
   }
-  return snapshot(World(scene));
+  return snapshot(scene);
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ void look_closer(CostRun& run) {
   Scene scene;
   scene.add_ground();
   for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
-  run.tower = snapshot(World(scene));
+  run.tower = snapshot(scene);
 }
 
 // What a row update costs on this machine, for solvers that do the same arithmetic in different ways.

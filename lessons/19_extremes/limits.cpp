@@ -1,6 +1,8 @@
 // Small worlds with one question each.
 #include "lesson.hpp"
 
+#include <cairn/samples/samples.hpp>
+
 namespace cairn::edges {
 
 namespace {
@@ -45,7 +47,7 @@ Scene tower_of(double mass) {
                .dt = time_step,
                .stabilization = {.policy = StabilizationPolicy::baumgarte}});
   scene.add_ground();
-  for (int i = 0; i < 5; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = mass});
+  samples::add_stack(scene, 5, {.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = mass});
   return scene;
 }
 

@@ -38,7 +38,7 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, co
   const Rect inside = draw_solver_panel(page, rect, style_of(page, run.ratio), name_of(run.ratio), count);
   const Camera camera = fit(inside, {{-0.7, -0.25}, {1.9, 2.25}});
   page.canvas().push_clip(inside);
-  draw_boxes(page, camera, snapshot(World(two_boxes_scene(run.ratio))), run.ratio);
+  draw_boxes(page, camera, snapshot(two_boxes_scene(run.ratio)), run.ratio);
   draw_load(page, camera, run, sweep);
   page.canvas().pop_clip();
 }

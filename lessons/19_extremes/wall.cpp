@@ -1,6 +1,8 @@
 // Eight scenes, and what is measured of each.
 #include "lesson.hpp"
 
+#include <cairn/samples/samples.hpp>
+
 namespace cairn::edges {
 
 namespace {
@@ -35,9 +37,8 @@ SmallWorld stack(const std::string& name, Scene scene, double height, double mas
 SmallWorld tower(const WallSettings& settings) {
   Scene scene(resting());
   scene.add_ground();
-  for (int i = 0; i < settings.boxes; ++i) {
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1, .fixed_rotation = true});
-  }
+  samples::add_stack(scene, settings.boxes,
+                     {.shapes = {box(1, 1)}, .position = {0, 0.5}, .mass = 1, .fixed_rotation = true});
   return stack(fmt::format("tower of {}", settings.boxes), std::move(scene), settings.boxes, settings.boxes);
 }
 

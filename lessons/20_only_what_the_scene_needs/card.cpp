@@ -3,38 +3,36 @@
 
 namespace cairn {
 
-LessonInfo card() {
-  return {
-      .number = 20,
-      .name = "only_what_the_scene_needs",
-      .title = "Only what the scene needs",
-      .idea =
-          "The cost of a row update is fixed. You can choose how many there are: which rows are written, how "
-          "often they are swept, and whether anything has moved at all.",
-      .paper = "paper 4.4, 5",
-      .equations = {"      cost of a step = Σ over islands (rows × sweeps)",
-                    "(30)  SI is linear in the rows: half the rows, half the work",
-                    "      while not satisfied ...                Algorithm 1: until R_E ≤ the tolerance"},
-      .needs = {"lesson 09", "lesson 11", "lesson 18"},
-      .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
-      .question =
-          "Pyramid, tower and chain have 100, 40 and 10 rows, and get 50 sweeps a step. If each step ends "
-          "once "
-          "all errors are down to a thousandth, 91\u00a0% of the row updates are left. Ended by itself, the "
-          "pyramid takes 8 sweeps on average, the tower 45.5, the chain 33. How many per cent are left if "
-          "all three end by "
-          "themselves?",
-      .spoilers = {"39", "0.85 m"},
-      .hints = {"If a step ends for all at once, which of the three does everybody wait for?",
-                "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
-                "Add rows × sweeps of the three, and divide by 150 × 50."},
-      .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},
-                     {"tolerance", 0.001, 1e-6, 0.3, "", "R_E at which a step may end sooner"},
-                     {"bodies", 10, 1, 15, "", "boxes in the tower", Parameter::Kind::whole},
-                     {"links", 5, 1, 8, "", "of the chain", Parameter::Kind::whole},
-                     {"steps", 140, 20, 300, "", "of each run", Parameter::Kind::whole}},
-      .cover = 1,
-      .next = ""};
-}
+const LessonCard lesson20(
+    {.number = 20,
+     .name = "only_what_the_scene_needs",
+     .title = "Only what the scene needs",
+     .idea =
+         "The cost of a row update is fixed. You can choose how many there are: which rows are written, how "
+         "often they are swept, and whether anything has moved at all.",
+     .paper = "paper 4.4, 5",
+     .equations = {"      cost of a step = Σ over islands (rows × sweeps)",
+                   "(30)  SI is linear in the rows: half the rows, half the work",
+                   "      while not satisfied ...                Algorithm 1: until R_E ≤ the tolerance"},
+     .needs = {"lesson 09", "lesson 11", "lesson 18"},
+     .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
+     .question =
+         "Pyramid, tower and chain have 100, 40 and 10 rows, and get 50 sweeps a step. If each step ends "
+         "once "
+         "all errors are down to a thousandth, 91\u00a0% of the row updates are left. Ended by itself, the "
+         "pyramid takes 8 sweeps on average, the tower 45.5, the chain 33. How many per cent are left if "
+         "all three end by "
+         "themselves?",
+     .spoilers = {"39", "0.85 m"},
+     .hints = {"If a step ends for all at once, which of the three does everybody wait for?",
+               "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
+               "Add rows × sweeps of the three, and divide by 150 × 50."},
+     .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},
+                    {"tolerance", 0.001, 1e-6, 0.3, "", "R_E at which a step may end sooner"},
+                    {"bodies", 10, 1, 15, "", "boxes in the tower", Parameter::Kind::whole},
+                    {"links", 5, 1, 8, "", "of the chain", Parameter::Kind::whole},
+                    {"steps", 140, 20, 300, "", "of each run", Parameter::Kind::whole}},
+     .cover = 1,
+     .next = ""});
 
 }  // namespace cairn

@@ -18,9 +18,6 @@ struct Program {
   LessonInfo card = {};
 };
 
-/// The card of every lesson, by number. Its definition is generated from the lessons' own files.
-List<LessonInfo> cards();
-
 /// All lessons, as they are or would be in a folder of programs.
 List<Program> programs_in(const std::filesystem::path& folder);
 

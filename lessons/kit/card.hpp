@@ -44,7 +44,15 @@ struct LessonInfo {
   std::string next = {};  // "bash lessons/run 8   (what it is about)"; "" after the last
 };
 
-/// The card of the lesson that is built: each defines its own, in card.cpp.
-LessonInfo card();
+/// Makes a lesson known to the program that it is linked with. Its card.cpp has one of them and nothing else.
+struct LessonCard {
+  explicit LessonCard(LessonInfo info);
+};
+
+/// The cards that this program has, by number: a lesson its own, the driver all.
+const List<LessonInfo>& cards();
+
+/// The card of the lesson that this program is.
+const LessonInfo& card();
 
 }  // namespace cairn

@@ -22,6 +22,7 @@
 #include "lessons/kit/stack_panel.hpp"
 #include "lessons/kit/tower_panel.hpp"
 #include <cairn/math/list.hpp>
+#include <cairn/world/scene_snapshot.hpp>
 #include "render/bars.hpp"
 #include "render/draw.hpp"
 #include "render/matrix.hpp"

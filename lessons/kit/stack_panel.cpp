@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/draw.hpp"
-#include <cairn/world/world.hpp>
+#include <cairn/world/scene_snapshot.hpp>
 
 namespace cairn {
 
@@ -81,7 +81,7 @@ Snapshot stack_at_rest(int boxes, double sunk) {
   scene.add_ground();
   for (int i = 0; i < boxes; ++i)
     scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i - sunk}, .mass = 1});
-  Snapshot stack = snapshot(World(scene));
+  Snapshot stack = snapshot(scene);
   for (int i = 0; i < boxes; ++i)
     stack.contacts.push_back({.a = {i}, .b = {i + 1}, .position = {0, i - sunk}, .normal = {0, 1}});
   return stack;

@@ -1,7 +1,6 @@
 // Floor 5. The joints of a scene, and what the scene knows of each.
 #pragma once
 
-#include <compare>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,15 +9,9 @@
 #include <cairn/constraints/softness.hpp>
 #include <cairn/dynamics/body.hpp>
 #include <cairn/math/list.hpp>
+#include <cairn/world/joint_id.hpp>
 
 namespace cairn {
-
-/// A joint, for as long as it is in its scene; its number is not used again.
-struct JointId {
-  int index = 0;  // from 0, in the order of adding
-  /// By index.
-  auto operator<=>(const JointId&) const = default;
-};
 
 /// In the order in which they were added. The number of a joint is its place here, from 0, which comes one
 /// forward when a joint before it is removed; its id stays.

@@ -1,27 +1,13 @@
 // Floor 5. From a world to plain values.
 #include <cairn/world/snapshot.hpp>
 
-#include <cairn/constraints/springs.hpp>
-#include <cairn/world/world.hpp>
 #include <cairn/math/list.hpp>
+#include <cairn/world/scene_snapshot.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn {
 
 namespace {
-
-SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, const Vec3<double>& velocity) {
-  return {.type = body.spec.type,
-          .pose = pose,
-          .velocity = velocity,
-          .mass = body.mass,
-          .inertia = body.inertia,
-          .gravity_scale = body.spec.gravity_scale,
-          .removed = body.removed,
-          .sensor = body.spec.sensor,
-          .filter = body.spec.filter,
-          .surface_speed = body.spec.material.surface_speed,
-          .shapes = body.spec.shapes};
-}
 
 /// One friction row for two points: each has the share that its normal impulse has of the load.
 void share_friction(double impulse, SnapshotContact& first, SnapshotContact& second) {
@@ -57,30 +43,6 @@ void append_contact(const StepRecord<Real>& record, int i, List<SnapshotContact>
   }
   if (block.count == manifold.count + 1 && !rubs_at_points)
     share_friction(impulse(block.first + manifold.count), contacts[contacts.size() - 2], contacts.back());
-}
-
-template <Scalar Real>
-SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state) {
-  const List<Attachment> places = joint.attachments();
-  const auto world_point = [&state](const Attachment& place) -> Vec2<double> {
-    Pose<Real> pose = state.pose[place.body];
-    if (!place.turns) pose.angle = 0;
-    return pose.world(place.anchor.template cast<Real>()).template cast<double>();
-  };
-  SnapshotJoint result{
-      .name = joint.name(), .traits = joint.traits(), .a = places.front().body, .b = places.back().body};
-  result.anchor_a = world_point(places.front());
-  result.anchor_b = world_point(places.back());
-  for (int i = 1; i + 1 < places.size(); ++i) result.between.push_back(world_point(places[i]));
-  RowSpecs<Real> specs;
-  joint.append_rows(state.pose, specs);
-  double sum = 0;
-  for (const RowSpec<Real>& spec : specs) {
-    sum += static_cast<double>(violation(spec) * violation(spec));
-    result.energy += spring_energy(spec, state.inverse_mass);
-  }
-  result.drift = std::sqrt(sum);
-  return result;
 }
 
 }  // namespace

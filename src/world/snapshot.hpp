@@ -10,8 +10,7 @@
 #include <cairn/geometry/shape.hpp>
 #include <cairn/math/list.hpp>
 #include <cairn/math/shared_list.hpp>
-#include <cairn/world/scene_joints.hpp>
-#include <cairn/world/step_report.hpp>
+#include <cairn/world/joint_id.hpp>
 
 namespace cairn {
 
@@ -72,12 +71,5 @@ struct Snapshot {
   List<SnapshotJoint> joints = {};             // in the order of the scene
   List<std::pair<BodyId, BodyId>> apart = {};  // bodies that a joint keeps from colliding, sorted
 };
-
-/// The contact points that the last substep of a step saw, and what they gave in it.
-template <Scalar Real>
-List<SnapshotContact> contacts_of(const StepRecord<Real>& record);
-/// What a joint gave to its last body in it [N s]; of a hand, too, which is behind those of the scene.
-template <Scalar Real>
-Vec2<double> joint_impulse(const StepRecord<Real>& record, int joint);
 
 }  // namespace cairn

@@ -7,6 +7,13 @@
 
 namespace cairn {
 
+/// The contact points that the last substep of a step saw, and what they gave in it.
+template <Scalar Real>
+List<SnapshotContact> contacts_of(const StepRecord<Real>& record);
+/// What a joint gave to its last body in it [N s]; of a hand, too, which is behind those of the scene.
+template <Scalar Real>
+Vec2<double> joint_impulse(const StepRecord<Real>& record, int joint);
+
 /// Adds up the impulses of a step's substeps: a snapshot has those of the last one alone.
 ///   StepImpulses impulses;
 ///   world.step(solver, impulses);

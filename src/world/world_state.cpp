@@ -3,8 +3,9 @@
 
 #include <cairn/geometry/aabb.hpp>
 #include <cairn/math/check.hpp>
-#include <cairn/world/world.hpp>
 #include <cairn/math/list.hpp>
+#include <cairn/world/scene_snapshot.hpp>
+#include <cairn/world/world.hpp>
 
 namespace cairn {
 
@@ -95,8 +96,7 @@ World<Real>::World(Scene scene)
   PerBody<Real> radius(scene_->bodies().size());
   for (const Collider<Real>& collider : contacts_.colliders())
     radius[collider.body] = std::max(radius[collider.body], collider.form->radius);
-  for (PerBody<Vec3<Real>>* each : {&state_.velocity, &state_.inverse_mass}) each->reserve(radius.size());
-  state_.pose.reserve(radius.size());
+  state_ = state_of<Real>(*scene_);
   const auto kinds = std::make_shared<BodyKinds<Real>>();
   for (const BodyId id : scene_->bodies().indices()) {
     const SceneBody& body = scene_->bodies()[id];
@@ -104,13 +104,6 @@ World<Real>::World(Scene scene)
     const double smallest = smallest_extent(spec);
     require_place<Real>(body, id, smallest);
     if (plan_->collision) require_springs_hold(scene_->settings(), body, id, smallest);
-    state_.pose.push_back(
-        {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
-    state_.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),
-                               static_cast<Real>(spec.angular_velocity)});
-    const Real inverse_mass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
-    const Real inverse_inertia = body.inertia > 0 ? static_cast<Real>(1 / body.inertia) : Real(0);
-    state_.inverse_mass.push_back({inverse_mass, inverse_mass, inverse_inertia});
     kinds->add(forces_on<Real>(spec), traits_of(spec, smallest, radius[id]));
   }
   kinds_ = kinds;

@@ -147,7 +147,7 @@ TEST_CASE(
   const std::string make = quoted(CAIRN_CMAKE) + " --build " + quoted(build.string());
   const CommandResult targets = run_line(folder, make + " --target help");
   require_success(targets);
-  CHECK(targets.output.find("cairn_solvers") != std::string::npos);
+  CHECK(targets.output.find("cairn_world") != std::string::npos);
   for (const char* other : {"cairn_render", "cairn_scenes", "lesson", "tests", "images"})
     CHECK(targets.output.find(other) == std::string::npos);
   // The library is compiled in minutes; what uses it shows whether its headers are found and its flags are

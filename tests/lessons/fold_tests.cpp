@@ -11,7 +11,7 @@
 #include <string>
 
 #include "child_lesson.hpp"
-#include "lessons/driver/catalogue.hpp"
+#include "lessons/kit/card.hpp"
 #include <cairn/math/list.hpp>
 
 namespace cairn::testing {
@@ -126,7 +126,7 @@ TEST_CASE("a word of the answer is found as a word, whatever is around it") {
 }
 
 TEST_CASE("nothing before a page's fold gives its answer away") {
-  for (const LessonInfo& card : driver::cards()) {
+  for (const LessonInfo& card : cards()) {
     CAPTURE(card.name);
     CHECK_FALSE(card.spoilers.empty());
     for (const auto& [place, text] : before_fold(card, readme_of(card))) {
@@ -140,7 +140,7 @@ TEST_CASE("nothing before a page's fold gives its answer away") {
 }
 
 TEST_CASE("an answer behind a page's fold has the words that the card calls its spoilers") {
-  for (const LessonInfo& card : driver::cards()) {
+  for (const LessonInfo& card : cards()) {
     CAPTURE(card.name);
     const std::string text = readme_of(card);
     const std::string answer = text.substr(text.find(fold));
@@ -152,7 +152,7 @@ TEST_CASE("an answer behind a page's fold has the words that the card calls its 
 }
 
 TEST_CASE("a page asks, folds, answers, and then explains") {
-  for (const LessonInfo& card : driver::cards()) {
+  for (const LessonInfo& card : cards()) {
     CAPTURE(card.name);
     const std::string text = readme_of(card);
     const std::size_t at = text.find(fold);
@@ -174,7 +174,7 @@ TEST_CASE("things to find out hide their answers, all in one form") {
       "   <details><summary>Answer</summary>\n\n"
       "(   [^\n]*\n|\n)+?   </details>\n");
   static const std::regex number("\n[0-9]+\\. ");
-  for (const LessonInfo& card : driver::cards()) {
+  for (const LessonInfo& card : cards()) {
     CAPTURE(card.name);
     const std::string text = readme_of(card);
     const std::size_t begin = text.find("hings to find out");

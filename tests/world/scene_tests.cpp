@@ -1,6 +1,9 @@
 // From specs to bodies: masses, centres, materials and damping.
 #include "testing.hpp"
 
+#include <cairn/measure/fingerprint.hpp>
+#include <cairn/world/scene_snapshot.hpp>
+
 using namespace cairn;
 using namespace cairn::testing;
 
@@ -145,4 +148,27 @@ TEST_CASE("bodies with equal shapes share them, and part when one gets others") 
   CHECK(scene.bodies()[{2}].spec.shapes.size() == 2);
   CHECK(scene.bodies()[{3}].spec.shapes.size() == 1);
   CHECK(place(1) == place(3));
+}
+
+TEST_CASE("a scene is seen as a world of it begins, and no world is made for it") {
+  Scene scene({.gravity = {0, -3}, .dt = 0.02, .substeps = 4});
+  scene.add_ground();
+  const BodyId disc = scene.add(
+      {.shapes = {circle(0.5)}, .position = {3, 4}, .velocity = {1, 2}, .angular_velocity = -1, .mass = 2});
+  scene.join<DistanceJoint>({.a = ground, .b = disc, .anchor_a = {0, 0}, .anchor_b = {3, 4}});
+  displace(scene, disc, {3, 4}, 0.5);
+  const Snapshot seen = snapshot(scene), begun = snapshot(World<double>(scene));
+  CHECK(seen.dt == 0.02 / 4);
+  CHECK(seen.gravity == Vec2<double>(0, -3));
+  CHECK(seen.bodies.size() == scene.bodies().size());
+  CHECK(seen.bodies[disc].pose.position == Vec2<double>(6, 8));
+  CHECK(seen.bodies[disc].pose.angle == 0.5);
+  CHECK(seen.bodies[disc].velocity == Vec3<double>(1, 2, -1));
+  CHECK(seen.bodies[disc].mass == 2);
+  CHECK(seen.bodies[disc].awake);
+  CHECK(seen.joints[0].drift == doctest::Approx(5).epsilon(few_roundings));  // 10 m, where the rod has 5
+  CHECK(seen.joints[0].drift == begun.joints[0].drift);
+  CHECK(seen.dt == begun.dt);
+  CHECK(seen.apart == begun.apart);
+  CHECK(fingerprint_of(seen) == fingerprint_of(begun));
 }

@@ -1,0 +1,87 @@
+// Floor 5. From a scene to plain values.
+#include <cairn/world/scene_snapshot.hpp>
+
+#include <cmath>
+
+#include <cairn/constraints/springs.hpp>
+#include <cairn/math/list.hpp>
+
+namespace cairn {
+
+template <Scalar Real>
+BodyState<Real> state_of(const Scene& scene) {
+  BodyState<Real> state;
+  const int count = scene.bodies().size();
+  state.pose.reserve(count);
+  for (PerBody<Vec3<Real>>* each : {&state.velocity, &state.inverse_mass}) each->reserve(count);
+  for (const SceneBody& body : scene.bodies()) {
+    const BodySpec& spec = body.spec;
+    state.pose.push_back(
+        {.position = body.pose.position.template cast<Real>(), .angle = static_cast<Real>(body.pose.angle)});
+    state.velocity.push_back({static_cast<Real>(spec.velocity.x()), static_cast<Real>(spec.velocity.y()),
+                              static_cast<Real>(spec.angular_velocity)});
+    const Real inverse_mass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
+    const Real inverse_inertia = body.inertia > 0 ? static_cast<Real>(1 / body.inertia) : Real(0);
+    state.inverse_mass.push_back({inverse_mass, inverse_mass, inverse_inertia});
+  }
+  return state;
+}
+
+SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, const Vec3<double>& velocity) {
+  return {.type = body.spec.type,
+          .pose = pose,
+          .velocity = velocity,
+          .mass = body.mass,
+          .inertia = body.inertia,
+          .gravity_scale = body.spec.gravity_scale,
+          .removed = body.removed,
+          .sensor = body.spec.sensor,
+          .filter = body.spec.filter,
+          .surface_speed = body.spec.material.surface_speed,
+          .shapes = body.spec.shapes};
+}
+
+template <Scalar Real>
+SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state) {
+  const List<Attachment> places = joint.attachments();
+  const auto world_point = [&state](const Attachment& place) -> Vec2<double> {
+    Pose<Real> pose = state.pose[place.body];
+    if (!place.turns) pose.angle = 0;
+    return pose.world(place.anchor.template cast<Real>()).template cast<double>();
+  };
+  SnapshotJoint result{
+      .name = joint.name(), .traits = joint.traits(), .a = places.front().body, .b = places.back().body};
+  result.anchor_a = world_point(places.front());
+  result.anchor_b = world_point(places.back());
+  for (int i = 1; i + 1 < places.size(); ++i) result.between.push_back(world_point(places[i]));
+  RowSpecs<Real> specs;
+  joint.append_rows(state.pose, specs);
+  double sum = 0;
+  for (const RowSpec<Real>& spec : specs) {
+    sum += static_cast<double>(violation(spec) * violation(spec));
+    result.energy += spring_energy(spec, state.inverse_mass);
+  }
+  result.drift = std::sqrt(sum);
+  return result;
+}
+
+Snapshot snapshot(const Scene& scene) {
+  const SceneSettings& settings = scene.settings();
+  Snapshot result{.dt = settings.dt / settings.substeps, .gravity = settings.gravity};
+  result.apart = scene.joints().apart();
+  const BodyState<double> state = state_of<double>(scene);
+  for (const BodyId body : scene.bodies().indices())
+    result.bodies.push_back(snapshot_body(scene.bodies()[body], state.pose[body], state.velocity[body]));
+  for (int i = 0; i < scene.joints().size(); ++i) {
+    result.joints.push_back(snapshot_joint(*scene.joints()[i], state));
+    result.joints.back().id = scene.joints().id(i);
+  }
+  return result;
+}
+
+template BodyState<float> state_of(const Scene&);
+template BodyState<double> state_of(const Scene&);
+template SnapshotJoint snapshot_joint(const Constraint&, const BodyState<float>&);
+template SnapshotJoint snapshot_joint(const Constraint&, const BodyState<double>&);
+
+}  // namespace cairn
