@@ -11,7 +11,9 @@
 #include "lessons/sandbox/study_words.hpp"
 #include <cairn/measure/whole_file.hpp>
 #include "render/image.hpp"
+#include <cairn/scenes/solver_list.hpp>
 #include <cairn/study/trade_row.hpp>
+#include <cairn/study/tuning/sweep_price.hpp>
 
 namespace cairn::sandbox {
 namespace {
@@ -19,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void print_endings(const MapTable& table, Console& console) {
-  const List<std::string> endings = {"ok", "off", "fell", "gained", "timeout", "diverged", "nan", "refused"};
+  const List<std::string> endings = {"ok",      "off",      "fell", "fails",  "gained",
+                                     "timeout", "diverged", "nan",  "refused"};
   console.result(fmt::format("how {} runs ended: {} settings in {} scenes",
                              table.settings() * table.scenes.size(), table.settings(), table.scenes.size()));
   std::string head = fmt::format("  {:<13}", "solver");
@@ -76,6 +79,51 @@ void print_choices(const MapTable& table, bool with_joints, double goal, Console
   }
 }
 
+/// In how many of the scenes a setting of the solver is the cheapest, and in how many any setting will do.
+std::pair<int, int> wins_of(const MapTable& table, const std::string& solver, double goal) {
+  int wins = 0, scenes = 0;
+  for (const List<MapRow>& runs : table.scenes) {
+    const MapRow* best = cheapest(runs, goal);
+    if (best == nullptr) continue;
+    scenes += 1;
+    wins += best->solver == solver ? 1 : 0;
+  }
+  return {wins, scenes};
+}
+
+/// "  38  30  18  13 of 73": in how many scenes the solver is the cheapest to come to the goal at each of the
+/// prices, and in how many any setting comes to it.
+std::string wins_text(const MapTable& table, const std::string& solver, const List<double>& prices,
+                      double goal) {
+  std::string text;
+  int of = 0;
+  for (const double price : prices) {
+    const auto [wins, scenes] = wins_of(priced(table, solver, price), solver, goal);
+    text += fmt::format(" {:>3}", wins);
+    of = scenes;
+  }
+  return fmt::format("{} of {}", text, of);
+}
+
+/// What a sweep takes here, and in how many scenes a solver is the cheapest if it takes as much: the price
+/// decides who wins.
+void print_prices(const MapTable& table, Console& console) {
+  console.result(
+      "the price of a sweep in sweeps of si, of newton that of a linear system; and in how many scenes "
+      "its solver is the cheapest at each price");
+  console.result(fmt::format("  {:<13} {:>8} {:>22}  {:<23} {}", "solver", "counted",
+                             "least, median, most here", "to an error of 0.01", "of 0.001"));
+  for (const SweepPrice& price : measured_prices(map_solvers)) {
+    if (price.solver == "si") continue;
+    const double counted = solver_entry(price.solver).work_of_a_sweep;
+    const List<double> prices = {counted, price.least, price.median, price.most};
+    console.result(fmt::format("  {:<13} {:>8.3g} {:>8.2f} {:>7.2f} {:>7.2f} {:<24}{}", price.solver, counted,
+                               price.least, price.median, price.most,
+                               wins_text(table, price.solver, prices, 0.01),
+                               wins_text(table, price.solver, prices, 0.001)));
+  }
+}
+
 /// Cells that were not run stay empty.
 void report_sheets(const List<AtlasSheet>& sheets, const fs::path& folder, const Words& words,
                    Console& console) {
@@ -108,6 +156,7 @@ int report_map(const Words& words, const std::string& csv, const std::filesystem
     for (const bool with_joints : {false, true}) {
       for (const double goal : {0.01, 0.001}) print_choices(table, with_joints, goal, console);
     }
+    print_prices(table, console);
   }
   console.narrate("written: " + (folder / "level3.csv").string() + ", map.png");
   return all_well;

@@ -33,10 +33,15 @@ const List<ErrorColumn>& solve_errors() {
 }
 
 const List<ErrorColumn>& trajectory_errors() {
-  static const List<ErrorColumn> errors = {{"formula", "err_value", "error of "},
-                                           {"penetration", "pen_max", "worst overlap (m)"},
-                                           {"drift", "drift_max", "worst drift of a joint (m)"},
-                                           {"energy", "dE_max_gain", "energy gained, of the scene's scale"}};
+  static const List<ErrorColumn> errors = {
+      {"expect", "asked", "the worst of what the scene asks for, over its limit"},
+      {"formula", "err_value", "error of "},
+      {"body", "of_body", "worst overlap or gap, of the thinner body"},
+      {"penetration", "pen_max", "worst overlap (m)"},
+      {"drift", "drift_max", "worst drift of a joint (m)"},
+      {"energy", "dE_max_gain", "energy gained, of the scene's scale"},
+      {"jitter", "jitter", "motion of what rests (m/s)"},
+      {"exact", "exact_gap", "distance from the exact run after a second (m)"}};
   return errors;
 }
 
@@ -146,22 +151,27 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
   }
   const TrajectoryScene& first = scenes.front();
   if (scenes.size() == 1) require_runnable(words, first, grid);
-  const ErrorColumn& error = error_of(words, trajectory_errors(), first.watch ? "formula" : "penetration");
+  const bool is_asked = !first.wish.is_empty();
+  const ErrorColumn& error = error_of(words, trajectory_errors(),
+                                      first.watch ? "formula"
+                                      : is_asked  ? "expect"
+                                                  : "body");
   const bool by_formula = error.word == "formula";
-  if (by_formula && !first.watch) {
-    words.refuse("error", "penetration, drift or energy: no formula knows this scene", error.word);
-  }
+  if (by_formula && !first.watch)
+    words.refuse("error", "another, as no formula knows this scene", error.word);
+  if (error.word == "expect" && !is_asked)
+    words.refuse("error", "another, as this scene expects nothing ([expect])", error.word);
   const bool by_time = words.word("work", "time", {"updates", "time"}) == "time";
   return {.study = trajectory_study(scenes, grid),
           .level = 2,
           .name = names.size() == 1 ? first.name : "level2",
           .title = fmt::format("{}: {:.3g} s", unmarked(first.name), first.seconds),
           .note = trajectory_note(first),
-          .work = by_time ? "cost" : "work",
+          .work = by_time ? "frame_ms" : "work",
           .error = error.column,
-          .work_name = by_time ? "time (s/s)" : "updates/s",
+          .work_name = by_time ? "ms a frame" : "updates/s",
           .error_name = error.word,
-          .work_axis = left_is_better(by_time ? "processor time for each second simulated (s)"
+          .work_axis = left_is_better(by_time ? "processor time for a 60th of a second (ms)"
                                               : "row updates for each second simulated"),
           .error_axis = lower_is_better(error.axis + (by_formula ? first.error_name : "")),
           .curves = first_four(grid.solvers),
