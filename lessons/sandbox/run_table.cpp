@@ -59,11 +59,10 @@ bool is_missed(const SceneRun& run, const std::string& name) {
   return false;
 }
 
-/// "31 % of drift", of what is asked the worst; or why there is no such thing.
+/// Of its limit, in per cent, the worst of what is asked; "-" where there is no such thing.
 std::string asked_text(const RunJudgement& judgement) {
-  const JudgedPart* worst = judgement.worst();
-  if (worst == nullptr || judgement.fails()) return "-";
-  return fmt::format("{:.3g} % of {}", 100 * worst->share, worst->name);
+  const bool has_one = judgement.worst() != nullptr && !judgement.fails();
+  return has_one ? fmt::format("{:.3g}", 100 * judgement.share()) : "-";
 }
 
 void print_measure(Console& console, const SceneRun& run, const std::string& name, const std::string& value,
@@ -181,16 +180,15 @@ void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console&
   if (result.status == TrialStatus::refused) return console.result(name + "  left out");
   const int steps = std::max(1, result.steps);
   const std::string stands = scene.expectations.stands ? fmt::format("{:.3g}", result.stands_until) : "-";
-  const std::string numbers =
-      fmt::format("{} {:>10.3g} {:>12.0f} {:>12} {:>10} {:>9} {:>9} {:>8} {:>8.3g} {:>22}  ", name,
-                  1e3 * result.median_step, static_cast<double>(result.row_updates) / steps,
-                  milli(result.worst_penetration), milli(result.worst_drift), percent(result.energy_gain),
-                  percent(std::max(0.0, result.energy_loss)), stands, 1e3 * result.slowest_step,
-                  asked_text(run.judgement));
+  const std::string numbers = fmt::format(
+      "{} {:>9.3g} {:>11.0f} {:>11} {:>9} {:>7} {:>7} {:>6} {:>8.3g} {:>7}  ", name, 1e3 * result.median_step,
+      static_cast<double>(result.row_updates) / steps, milli(result.worst_penetration),
+      milli(result.worst_drift), percent(result.energy_gain), percent(std::max(0.0, result.energy_loss)),
+      stands, 1e3 * result.slowest_step, asked_text(run.judgement));
   const std::string verdict = result.status != TrialStatus::ok ? status_text(result.status)
                               : run.judgement.fails()          ? "fails"
                               : run.judgement.meets()          ? "ok"
-                                                               : "misses";
+                                                               : "misses " + run.judgement.worst()->name;
   console.result(numbers + console.colored(verdict, verdict == "ok" ? Color::good : Color::bad));
 }
 
@@ -239,13 +237,13 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
   int width = 6;
   for (const SceneRun& run : runs) width = std::max(width, display_width(contestant_label(run.setting)));
   const auto heading = [&](const std::string& first, const List<std::string>& cells) {
-    console.result(fmt::format("{} {:>10} {:>12} {:>12} {:>10} {:>9} {:>9} {:>8} {:>8} {:>22}",
+    console.result(fmt::format("{} {:>9} {:>11} {:>11} {:>9} {:>7} {:>7} {:>6} {:>8} {:>7}",
                                padded(first, width), cells[0], cells[1], cells[2], cells[3], cells[4],
                                cells[5], cells[6], cells[7], cells[8]));
   };
   heading("solver", {"ms a step", "row updates", "penetration", "drift", "energy", "energy", "stands",
-                     "slowest", "of what is asked"});
-  heading("", {"median", "a step", "mm", "mm, mrad", "gain %", "loss %", "s", "step, ms", "the worst"});
+                     "slowest", "% of"});
+  heading("", {"median", "a step", "mm", "mm, mrad", "gain %", "loss %", "s", "step, ms", "limit"});
   for (const SceneRun& run : runs) print_row(scene, run, width, console);
   for (const SceneRun& run : runs) {
     for (int i = 0; judges_places(scene, run) && i < scene.expectations.places.size(); ++i) {

@@ -77,21 +77,16 @@ struct Measure {
 };
 
 const List<Measure>& measures() {
-  static const List<Measure> all = {{"slowest", "step, ms", "step_ns_max", 1e-6},
-                                    {"overlap", "mm", "pen_max", 1e3},
-                                    {"gap", "mm", "drift_max", 1e3},
-                                    {"of body", "%", "of_body", 100},
-                                    {"gain", "%", "dE_max_gain", 100},
-                                    {"loss", "%", "dE_final", -100},
-                                    {"jitter", "mm/s", "jitter", 1e3},
-                                    {"off exact", "mm", "exact_gap", 1e3},
-                                    {"failed", "%", "failed", 100}};
+  static const List<Measure> all = {
+      {"slowest", "ms", "step_ns_max", 1e-6}, {"overlap", "mm", "pen_max", 1e3},
+      {"gap", "mm", "drift_max", 1e3},        {"gain", "%", "dE_max_gain", 100},
+      {"jitter", "mm/s", "jitter", 1e3},      {"inexact", "mm", "exact_gap", 1e3}};
   return all;
 }
 
 std::string measure_head(std::string Measure::*word) {
   std::string head;
-  for (const Measure& measure : measures()) head += fmt::format(" {:>9}", measure.*word);
+  for (const Measure& measure : measures()) head += fmt::format(" {:>7}", measure.*word);
   return head;
 }
 
@@ -100,7 +95,7 @@ std::string measure_text(const CsvTable& table, int row) {
   std::string text;
   for (const Measure& measure : measures()) {
     const double number = number_in(table, row, measure.column) * measure.factor;
-    text += fmt::format(" {:>9}", std::isnan(number) ? "-" : fmt::format("{:.3g}", number + 0.0));
+    text += fmt::format(" {:>7}", std::isnan(number) ? "-" : fmt::format("{:.2g}", number));
   }
   return text;
 }
@@ -257,6 +252,8 @@ int report_trade(const Words& words, const TradeStudy& trade, const std::string&
                  Console& console) {
   if (trade.level == 3) return report_map(words, csv, folder, console);
   const CsvTable table = table_of(csv, trade.name);
+  if (trade.is_of_sweeps) write_whole_file(folder / "sweeps.csv", csv_with_units(csv));
+  if (trade.is_of_sweeps) return report_sweeps(words, trade, table, folder, console);
   write_whole_file(folder / (trade.name + ".csv"), csv_with_units(csv));
   write_whole_file(folder / (trade.name + ".json"), json_of(table));
   if (words.has("json")) fmt::print("{}", json_of(table));

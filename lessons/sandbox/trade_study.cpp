@@ -178,6 +178,37 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
           .shown = {}};
 }
 
+/// Several whole runs: what more sweeps of a solver buy in each.
+TradeStudy sweeps_trade(const Words& words) {
+  for (const char* flag : {"level", "all", "quick", "work", "start", "scalar", "labels", "shard", "merge"})
+    words.refuse_beside(flag, "beside several scenes");
+  const List<std::string> solvers = words.known_texts("solvers", solver_names());
+  if (solvers.size() > 1) words.refuse("solvers", "one, beside several scenes", joined(solvers, ","));
+  SettingGrid grid{.solvers = solvers.empty() ? List<std::string>{"si"} : solvers,
+                   .frequencies = {60},
+                   .substeps = {4},
+                   .sweeps = doubled(1, 256)};
+  set_search(words, grid.base);
+  List<TrajectoryScene> scenes;
+  TradeStudy trade{.study = {}, .level = 2, .name = "sweeps", .is_of_sweeps = true};
+  for (const std::string& name : words.places) {
+    if (!names_scene_file(name))
+      words.require_known("SCENE, of several,", name, trajectory_names(), "cairn tradeoff --list");
+    scenes.push_back(trajectory_scene(name));
+    trade.curves.push_back(scenes.back().name);
+  }
+  const ErrorColumn& error = error_of(words, trajectory_errors(), "body");
+  if (error.word == "formula") words.refuse("error", "another, beside several scenes", error.word);
+  trade.study = trajectory_study(scenes, grid);
+  trade.title = fmt::format("1 to 256 sweeps of {}, 60 Hz in 4 substeps", grid.solvers.front());
+  trade.note = "Every run is drawn. Where a curve rises, more work has made it worse.";
+  trade.error = error.column;
+  trade.error_name = error.axis;
+  trade.work_axis = left_is_better("sweeps of a substep");
+  trade.error_axis = lower_is_better(error.axis);
+  return trade;
+}
+
 /// Level 3: the map of settings.
 TradeStudy map_trade(const Words& words) {
   for (const char* flag : {"start", "scalar", "quick", "solvers", "work", "error", "contact-search"})
@@ -191,9 +222,11 @@ TradeStudy trade_study(const Words& words) {
   const bool all = words.has("all");
   if (all == !words.places.empty()) {
     throw UsageError(
-        "cairn tradeoff: it goes cairn tradeoff SCENE, or cairn tradeoff --all; --list shows the scenes");
+        "cairn tradeoff: it goes cairn tradeoff SCENE, or several, or cairn tradeoff --all; --list shows the "
+        "scenes");
   }
   if (all) words.refuse_beside("labels", "beside --all, which draws no settings");
+  if (words.places.size() > 1) return sweeps_trade(words);
   const std::string name = all ? "" : words.places.front();
   const bool is_frozen = std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
   const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, all ? 3 : 2);

@@ -79,8 +79,8 @@ class TuneTable {
   }
 
   void print_head() {
-    console_.result(fmt::format("{:<12} {:<{}} {:>7} {:>7} {:>8} {:>11} {:>7} {:>8}  {}", "", "", width_,
-                                "ms a", "ms a", "slowest", "row updates", "x best", "% of", ""));
+    console_.result(fmt::format("{:<12} {:<{}} {:>7} {:>7} {:>8} {:>11} {:>7} {:>8}", "", "", width_, "ms a",
+                                "ms a", "slowest", "row updates", "x best", "% of"));
     console_.result(fmt::format("{:<12} {:<{}} {:>7} {:>7} {:>8} {:>11} {:>7} {:>8}  {}", "", "setting",
                                 width_, "second", "frame", "step, ms", "a second", "", "limit",
                                 "the worst of all starts"));

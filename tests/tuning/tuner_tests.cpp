@@ -226,7 +226,7 @@ TEST_CASE(
   };
   const Wish wish = {.penetration = 1e-3};
   TunerOptions options = {.solvers = {"si", "block"}, .starts = 2, .time_limit = 1e9};
-  for (const double budget : {2e-6, 2e-5, 2e-4}) {
+  for (const double budget : {2e-5, 2e-4, 2e-3}) {
     options.budget = budget;
     const TunerAnswer answer = tune(timed, wish, options);
     REQUIRE(answer.best);

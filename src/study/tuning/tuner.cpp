@@ -80,28 +80,25 @@ class TunerField {
     return answer_.tried > before;
   }
 
-  /// From all starts: the best of each kind, until as many have been as the answer names. False: one of them
-  /// is out, and others may have been left out for its sake.
+  /// From all starts: the best of each kind, as many as the answer names. False: one of them is out, and
+  /// others may have been left out for its sake.
   bool confirm() {
     search_.end_at(search_end);
     bool all_hold = true;
-    for (int done = 0; done < most_kinds(options_);) {
+    while (true) {
       const List<Candidate> best = kinds();
-      if (done >= best.size()) break;
+      const auto open = std::find_if(best.begin(), best.end(), [this](const Candidate& candidate) {
+        return !search_.is_settled(candidate);
+      });
+      if (open == best.end()) return all_hold;
       const std::optional<Candidate> next =
-          search_.candidate(best[done].setting, options_.starts, answer_.tried, answer_.tried);
-      if (!next) break;
+          search_.candidate(open->setting, options_.starts, answer_.tried, answer_.tried);
+      answer_.complete = answer_.complete && next && search_.is_settled(*next);
+      if (!next || next->starts == open->starts) return all_hold;  // no time is left
       erase_if(alive_, [&](const Candidate& one) { return is_same(one.setting, next->setting); });
-      if (search_.does(*next)) {
-        insert(*next);
-        done += 1;
-      } else {
-        all_hold = false;
-        done = 0;
-      }
-      answer_.complete = answer_.complete && search_.is_settled(*next);
+      if (search_.does(*next)) insert(*next);
+      all_hold = all_hold && search_.does(*next);
     }
-    return all_hold;
   }
 
   /// The best of each kind of setting, the best first.

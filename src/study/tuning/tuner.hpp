@@ -85,9 +85,10 @@ double expected_work(const Setting& setting);
 inline constexpr double work_of_a_step = 10;
 
 /// Tries each setting from start 0, those in `first` and the coarse ones before the others, and leaves out
-/// what must be expected to cost more than 4 times the best, or the budget, by what others have cost for
-/// their expected work. The best are tried in single precision and with manifolds that last, too, and then
-/// from the other starts; one that misses the wish from one of them is out.
+/// what must be expected to cost more than twice the best, or the budget, by what other settings of its
+/// solver have cost for their expected work; 4 times, by those of all solvers, where it has none. The best
+/// are tried in single precision and with manifolds that last, too, and then from the other starts; one that
+/// misses the wish from one of them is out.
 /// @throws std::invalid_argument for an empty wish, and numbers that are not above 0.
 TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& options = {});
 

@@ -8,7 +8,9 @@ namespace cairn {
 
 namespace {
 
-constexpr double search_margin = 4;  // measured cost and expected work agree within about so much
+// Measured cost and expected work agree within about so much: of settings of one solver, and of several.
+constexpr double solver_margin = 2;
+constexpr double search_margin = 4;
 
 double median_of(List<double> values) {
   const auto middle = values.begin() + values.size() / 2;
@@ -30,7 +32,12 @@ bool TunerSearch::is_better(const Candidate& a, const Candidate& b) const {
 bool TunerSearch::is_too_much(const Setting& setting, const Candidate* best) const {
   if ((best == nullptr && !options_.budget) || cost_of_work_.empty()) return false;
   const double limit = options_.budget ? 60 * *options_.budget : best->cost;  // [s] for a second
-  return expected_work(setting) * median_of(cost_of_work_) > search_margin * limit;
+  const auto own = cost_of_work_.find(setting.solver);
+  if (own != cost_of_work_.end())
+    return expected_work(setting) * median_of(own->second) > solver_margin * limit;
+  List<double> all;
+  for (const auto& [solver, costs] : cost_of_work_) all.insert(all.end(), costs.begin(), costs.end());
+  return expected_work(setting) * median_of(all) > search_margin * limit;
 }
 
 bool TunerSearch::is_settled(const Candidate& candidate) const {
@@ -80,7 +87,8 @@ bool TunerSearch::try_start(Tried& all) {
   if (!(seconds_left() > 0)) return false;  // it may have been cut short
   add(result, all);
   if (start == 0 && result.cost() > 0)
-    cost_of_work_.push_back(result.cost() / expected_work(all.candidate.setting));
+    cost_of_work_[all.candidate.setting.solver].push_back(result.cost() /
+                                                          expected_work(all.candidate.setting));
   return true;
 }
 

@@ -53,9 +53,9 @@ class TunerSearch {
   const Wish& wish_;
   const TunerOptions& options_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double end_ = 0;                      // [s] after that
-  std::map<std::string, Tried> known_;  // by setting_text()
-  List<double> cost_of_work_ = {};      // [s] of a unit of expected_work(), of each that was tried
+  double end_ = 0;                                    // [s] after that
+  std::map<std::string, Tried> known_;                // by setting_text()
+  std::map<std::string, List<double>> cost_of_work_;  // [s] of a unit of expected_work(), by solver
   bool told_to_stop_ = false;
 };
 
