@@ -76,24 +76,26 @@ struct Measure {
   double factor = 1;  // from the column to the unit
 };
 
-const List<Measure>& measures() {
-  static const List<Measure> all = {
-      {"slowest", "ms", "step_ns_max", 1e-6}, {"overlap", "mm", "pen_max", 1e3},
-      {"gap", "mm", "drift_max", 1e3},        {"gain", "%", "dE_max_gain", 100},
-      {"jitter", "mm/s", "jitter", 1e3},      {"inexact", "mm", "exact_gap", 1e3}};
+/// Times stand beside times alone: counted work is the same on every machine.
+List<Measure> measures_of(const TradeStudy& trade) {
+  if (trade.level != 2) return {};
+  List<Measure> all = {{"slowest", "ms", "step_ns_max", 1e-6}, {"overlap", "mm", "pen_max", 1e3},
+                       {"gap", "mm", "drift_max", 1e3},        {"gain", "%", "dE_max_gain", 100},
+                       {"jitter", "mm/s", "jitter", 1e3},      {"inexact", "mm", "exact_gap", 1e3}};
+  if (trade.work == "work") all.erase(all.begin());
   return all;
 }
 
-std::string measure_head(std::string Measure::*word) {
+std::string measure_head(const List<Measure>& measures, std::string Measure::*word) {
   std::string head;
-  for (const Measure& measure : measures()) head += fmt::format(" {:>7}", measure.*word);
+  for (const Measure& measure : measures) head += fmt::format(" {:>7}", measure.*word);
   return head;
 }
 
 /// "-" where there is no number.
-std::string measure_text(const CsvTable& table, int row) {
+std::string measure_text(const List<Measure>& measures, const CsvTable& table, int row) {
   std::string text;
-  for (const Measure& measure : measures()) {
+  for (const Measure& measure : measures) {
     const double number = number_in(table, row, measure.column) * measure.factor;
     text += fmt::format(" {:>7}", std::isnan(number) ? "-" : fmt::format("{:.2g}", number));
   }
@@ -136,14 +138,15 @@ void print_front(const TradeStudy& trade, const CsvTable& table, int noisy, cons
                              ended.empty() ? "" : "; no points: " + ended,
                              noisy > 0 ? "; " + noisy_text(noisy) : ""));
   if (front.empty()) return;
-  const bool is_run = trade.level == 2;
+  const List<Measure> measures = measures_of(trade);
   console.result(fmt::format("  {:<{}} {:>12} {:>12}{}", "setting", width, trade.work_name, trade.error_name,
-                             is_run ? measure_head(&Measure::name) : ""));
-  if (is_run)
-    console.result(fmt::format("  {:<{}} {:>12} {:>12}{}", "", width, "", "", measure_head(&Measure::unit)));
+                             measure_head(measures, &Measure::name)));
+  if (!measures.empty())
+    console.result(
+        fmt::format("  {:<{}} {:>12} {:>12}{}", "", width, "", "", measure_head(measures, &Measure::unit)));
   for (const TradePoint& point : front) {
     console.result(fmt::format("  {:<{}} {:>12} {:>12.3g}{}", point.setting, width, number_text(point.work),
-                               point.error, is_run ? measure_text(table, point.row) : ""));
+                               point.error, measure_text(measures, table, point.row)));
   }
 }
 

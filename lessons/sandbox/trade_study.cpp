@@ -187,7 +187,7 @@ TradeStudy sweeps_trade(const Words& words) {
   SettingGrid grid{.solvers = solvers.empty() ? List<std::string>{"si"} : solvers,
                    .frequencies = {60},
                    .substeps = {4},
-                   .sweeps = doubled(1, 256)};
+                   .sweeps = doubled(1, 64)};
   set_search(words, grid.base);
   List<TrajectoryScene> scenes;
   TradeStudy trade{.study = {}, .level = 2, .name = "sweeps", .is_of_sweeps = true};
@@ -195,12 +195,14 @@ TradeStudy sweeps_trade(const Words& words) {
     if (!names_scene_file(name))
       words.require_known("SCENE, of several,", name, trajectory_names(), "cairn tradeoff --list");
     scenes.push_back(trajectory_scene(name));
+    scenes.back().starts = 1;
+    scenes.back().beside_exact = false;
     trade.curves.push_back(scenes.back().name);
   }
   const ErrorColumn& error = error_of(words, trajectory_errors(), "body");
   if (error.word == "formula") words.refuse("error", "another, beside several scenes", error.word);
   trade.study = trajectory_study(scenes, grid);
-  trade.title = fmt::format("1 to 256 sweeps of {}, 60 Hz in 4 substeps", grid.solvers.front());
+  trade.title = fmt::format("1 to 64 sweeps of {}, 60 Hz in 4 substeps", grid.solvers.front());
   trade.note = "Every run is drawn. Where a curve rises, more work has made it worse.";
   trade.error = error.column;
   trade.error_name = error.axis;

@@ -10,6 +10,8 @@ namespace cairn {
 /// A scene after a second of `newton` to its last digits in 3840 substeps, or at the end of a shorter run.
 class ExactRun {
  public:
+  /// Nothing is known.
+  ExactRun() = default;
   /// Nothing is run where the scene has more freedoms than are solved at once by default, or where that does
   /// not end well.
   ExactRun(const Scene& scene, double seconds);

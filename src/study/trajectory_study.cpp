@@ -102,7 +102,7 @@ bool starts_agree(const TrajectoryScene& scene, const Runs& runs) {
 class LazyExactRun {
  public:
   const ExactRun& of(const TrajectoryScene& scene) {
-    if (!run_) run_.emplace(scene.make(), scene.seconds);
+    if (!run_) run_ = scene.beside_exact ? ExactRun(scene.make(), scene.seconds) : ExactRun();
     return *run_;
   }
 

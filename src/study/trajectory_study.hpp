@@ -26,6 +26,7 @@ struct TrajectoryScene {
   std::string error_formula = {};
   std::function<std::unique_ptr<MotionError>()> watch = {};
   std::uint64_t fingerprint = 0;  // of its file, where it has one: another text is another study
+  bool beside_exact = true;       // its second is run exactly, too, and held against that
   int starts = 1;                 // at most; above 1: jittered by 1e-6 m, with seeds 1, 2 ...
 };
 
