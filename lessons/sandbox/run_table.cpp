@@ -84,7 +84,11 @@ void print_worst(Console& console, const SceneEntry& scene, const TrialWorst& wo
   constexpr double seen_share = 0.01;
   const double share = distance / worst.thickness;
   const std::string what = worst.joint.empty() ? "" : worst.joint + " joint of ";
-  const std::string seen = share < seen_share ? "" : fmt::format(", {:.2g} % of the thinner", 100 * share);
+  std::string seen;
+  if (share > 1)
+    seen = fmt::format(", {:.3g} times the thinner", share);
+  else if (share >= seen_share)
+    seen = fmt::format(", {:.2g} % of the thinner", 100 * share);
   print_line(console, "",
              fmt::format("{}{} and {}, at {:.4g} s{}", what, scene.body_names[worst.a],
                          scene.body_names[worst.b], worst.time, seen));
@@ -94,7 +98,7 @@ void print_worst(Console& console, const SceneEntry& scene, const TrialWorst& wo
 void print_jitter(const TrialResult& result, Console& console) {
   constexpr double seen_speed = 0.001;  // of the thinnest body, in a second
   if (!(result.jitter > seen_speed * result.thinnest)) return;
-  print_line(console, "jitter", milli(result.jitter) + " mm/s of a body that rests, in the last second");
+  print_line(console, "jitter", milli(result.jitter) + " mm/s to and fro, of a body that rests");
 }
 
 void print_overlap_and_drift(const SceneEntry& scene, const SceneRun& run, Console& console) {

@@ -60,7 +60,8 @@ double Shaking::speed() const {
   if (!(last_ > first_)) return 0;
   double longest = 0;
   for (const Way& way : ways_) {
-    if (way.farthest <= rest_share * way.radius) longest = std::max(longest, way.length);
+    const double got_on = rim_way(way.first, way.last, way.radius);
+    if (way.farthest <= rest_share * way.radius) longest = std::max(longest, way.length - got_on);
   }
   return longest / (last_ - first_);
 }

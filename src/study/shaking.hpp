@@ -12,14 +12,14 @@ double thickness_of(const SnapshotBody& body);
 double thinnest_body(const Snapshot& snapshot);
 
 /// Looks at the end of a run for bodies that rest: that stay within a fiftieth of their bounding radius of
-/// one place from `begin` [s] on. What such a body still moves, it trembles or creeps.
+/// one place from `begin` [s] on.
 class Shaking {
  public:
   explicit Shaking(double begin) : begin_(begin) {}
   /// Looks at the bodies as they are after `time` [s].
   void see(const Snapshot& now, double time);
-  /// [m/s] The longest way that a body at rest has gone, as a point on its rim, in a second; 0 where none
-  /// rests.
+  /// [m/s] How far a body at rest goes to and fro in a second, as a point on its rim: the longest of their
+  /// ways, less what they got on by; 0 where none rests.
   double speed() const;
 
  private:

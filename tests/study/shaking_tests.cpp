@@ -38,12 +38,19 @@ TEST_CASE("a body that goes farther than a fiftieth of its radius does not rest,
   CHECK(trembling(0.0101) == 0);
 }
 
+TEST_CASE("a body that creeps gets on, and does not tremble") {
+  Shaking shaking(0);
+  for (int look = 0; look <= 10; ++look) shaking.see(turned_disc({0.0005 * look, 0}), 0.1 * look);
+  CHECK(shaking.speed() < 1e-15);
+}
+
 TEST_CASE("what happens before the end is not looked at, and turning counts at the rim") {
   Shaking shaking(1);
   shaking.see(turned_disc({5, 0}), 0.5);
   shaking.see(turned_disc({0, 0}), 1);
-  shaking.see(turned_disc({0, 0}, 0.002), 2);
-  CHECK(shaking.speed() == doctest::Approx(0.5 * 0.002).epsilon(1e-9));
+  shaking.see(turned_disc({0, 0}, 0.002), 1.5);
+  shaking.see(turned_disc({0, 0}), 2);
+  CHECK(shaking.speed() == doctest::Approx(2 * 0.5 * 0.002).epsilon(1e-9));
   CHECK(Shaking(1).speed() == 0);
 }
 
