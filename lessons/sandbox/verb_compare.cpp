@@ -101,7 +101,8 @@ int compare_code(const List<SceneRun>& runs) {
   for (const SceneRun& run : runs) {
     const TrialStatus status = run.result.status;
     if (status == TrialStatus::diverged || status == TrialStatus::nan) return diverged;
-    any = any || status != TrialStatus::refused;
+    if (status == TrialStatus::refused) continue;
+    any = true;
     fails = fails || run.judgement.fails();
   }
   if (!any) return bad_usage;
