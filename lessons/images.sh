@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of the documents: the cover of every lesson, small, in both themes, one larger picture, a chart of
-# work against error, the map of settings, the failures of sandbox/FAILURES.md, and the film of the playground.
+# work against error, one of sweeps, the map of settings, the failures of sandbox/FAILURES.md, and the film of the
+# playground.
 #   bash lessons/images.sh PROGRAMS SCRATCH IMAGES
 set -eu
 programs=$1
@@ -62,6 +63,9 @@ for theme in light dark; do
   if [[ -x $programs/cairn ]]; then
     "$programs/cairn" tradeoff stack10 --quick --theme "$theme" --out "$scratch/tradeoff_$theme" --quiet >/dev/null
     cp "$scratch/tradeoff_$theme/stack10.png" "$images/tradeoff_$theme.png"
+    "$programs/cairn" tradeoff bridge chain pyramid "$(dirname "${BASH_SOURCE[0]}")/../tests/study/cases/net.toml" \
+      --theme "$theme" --out "$scratch/sweeps_$theme" --quiet >/dev/null
+    cp "$scratch/sweeps_$theme/sweeps.png" "$images/sweeps_$theme.png"
     "$programs/cairn" tradeoff --all --level 3 --table "$scratch/level3.csv" --theme "$theme" --out "$scratch/map_$theme" \
       --quiet >/dev/null
     cp "$scratch/map_$theme/map.png" "$images/map_$theme.png"

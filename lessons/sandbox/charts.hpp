@@ -35,6 +35,7 @@ struct TradeChart {
   std::string note = {};  // one sentence below the chart
   List<TradePoint> points = {};
   List<std::string> curves = {};  // at most 4 solvers, by name, that get a curve; the others are dots
+  bool is_of_sweeps = false;      // a curve for each scene, through all of its points
   bool labels_all = false;        // every point of the front with its setting, where there is room
 };
 /// Work against error: every setting a dot, the best of each solver a curve.

@@ -11,7 +11,9 @@
 #include "lessons/sandbox/study_words.hpp"
 #include <cairn/measure/whole_file.hpp>
 #include "render/image.hpp"
+#include <cairn/scenes/solver_list.hpp>
 #include <cairn/study/trade_row.hpp>
+#include <cairn/study/tuning/sweep_price.hpp>
 
 namespace cairn::sandbox {
 namespace {
@@ -19,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void print_endings(const MapTable& table, Console& console) {
-  const List<std::string> endings = {"ok", "off", "fell", "gained", "timeout", "diverged", "nan", "refused"};
+  const List<std::string> endings = {"ok",      "off",      "fell", "fails",  "gained",
+                                     "timeout", "diverged", "nan",  "refused"};
   console.result(fmt::format("how {} runs ended: {} settings in {} scenes",
                              table.settings() * table.scenes.size(), table.settings(), table.scenes.size()));
   std::string head = fmt::format("  {:<13}", "solver");
@@ -76,6 +79,55 @@ void print_choices(const MapTable& table, bool with_joints, double goal, Console
   }
 }
 
+/// In how many of the scenes a setting of the solver is the cheapest, and in how many any setting will do.
+std::pair<int, int> wins_of(const MapTable& table, const std::string& solver, double goal) {
+  int wins = 0, scenes = 0;
+  for (const List<MapRow>& runs : table.scenes) {
+    const MapRow* best = cheapest(runs, goal);
+    if (best == nullptr) continue;
+    scenes += 1;
+    wins += best->solver == solver ? 1 : 0;
+  }
+  return {wins, scenes};
+}
+
+/// In how many scenes the solver is the cheapest, at each of these prices of its sweep.
+std::string wins_text(const MapTable& table, const std::string& solver, const List<double>& prices,
+                      double goal) {
+  std::string text;
+  for (const double price : prices)
+    text += fmt::format(" {:>7}", wins_of(priced(table, solver, price), solver, goal).first);
+  return text;
+}
+
+/// The price of a sweep decides who wins.
+void print_prices(const MapTable& table, Console& console) {
+  const List<double> goals = {0.01, 0.001};
+  std::string of, head = fmt::format("  {:<13} {:>18}", "solver", "sweeps of si");
+  for (const double goal : goals) {
+    of += fmt::format("{}{} scenes to {:g}", of.empty() ? "" : ", of ",
+                      wins_of(table, map_solvers.front(), goal).second, goal);
+    for (const char* price : {"half", "price", "double"}) head += fmt::format(" {:>7}", price);
+  }
+  console.result("in how many of " + of + " a solver is the cheapest, by the price of its sweep");
+  console.result(head);
+  for (const std::string& solver : map_solvers) {
+    const double price = solver_entry(solver).work_of_a_sweep;
+    std::string line = fmt::format("  {:<13} {:>18.3g}", solver, price);
+    for (const double goal : goals) line += wins_text(table, solver, {price / 2, price, 2 * price}, goal);
+    console.result(line);
+  }
+}
+
+/// What a sweep takes on this machine, where the runs of the map were done.
+void print_measured_prices(Console& console) {
+  console.result("measured here, on the frozen problems: a sweep in sweeps of si, of newton a linear system");
+  console.result(fmt::format("  {:<13} {:>8} {:>8} {:>8}", "solver", "least", "median", "most"));
+  for (const SweepPrice& price : measured_prices(map_solvers))
+    console.result(fmt::format("  {:<13} {:>8.2f} {:>8.2f} {:>8.2f}", price.solver, price.least, price.median,
+                               price.most));
+}
+
 /// Cells that were not run stay empty.
 void report_sheets(const List<AtlasSheet>& sheets, const fs::path& folder, const Words& words,
                    Console& console) {
@@ -108,6 +160,8 @@ int report_map(const Words& words, const std::string& csv, const std::filesystem
     for (const bool with_joints : {false, true}) {
       for (const double goal : {0.01, 0.001}) print_choices(table, with_joints, goal, console);
     }
+    print_prices(table, console);
+    if (!words.has("table")) print_measured_prices(console);
   }
   console.narrate("written: " + (folder / "level3.csv").string() + ", map.png");
   return all_well;

@@ -7,6 +7,7 @@
 
 #include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
+#include <cairn/measure/csv.hpp>
 #include "render/theme.hpp"
 #include <cairn/study/journal.hpp>
 
@@ -25,7 +26,8 @@ struct TradeStudy {
   std::string work = {}, error = {};            // columns
   std::string work_name = {}, error_name = {};  // at the head of a printed table
   std::string work_axis = {}, error_axis = {};
-  List<std::string> curves = {};                  // at most 4 solvers
+  List<std::string> curves = {};                  // at most 4 solvers; or scenes, of what more sweeps buy
+  bool is_of_sweeps = false;                      // in each of several scenes
   std::map<std::string, std::string> shown = {};  // the rows that are drawn: words that columns have
 };
 
@@ -36,6 +38,11 @@ TradeStudy trade_study(const Words& words);
 /// code: check_failed when no setting came to a number.
 int report_trade(const Words& words, const TradeStudy& trade, const std::string& csv,
                  const std::filesystem::path& folder, Console& console);
+
+/// Of what more sweeps buy in each of several scenes: writes sweeps.csv, .json and .png, prints. The exit
+/// code: check_failed when some run failed.
+int report_sweeps(const Words& words, const TradeStudy& trade, const CsvTable& table,
+                  const std::filesystem::path& folder, Console& console);
 
 /// Of the map of settings: writes level3.csv and map.png, prints how the runs ended and which one setting
 /// does for most scenes. @throws std::invalid_argument for a table of another kind.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/run_table.hpp"
@@ -31,10 +32,14 @@ Json places_json(const SceneEntry& scene, const SceneRun& run) {
   return places;
 }
 
-List<std::string> failure_texts(const SceneEntry& scene, const SceneRun& run) {
-  List<std::string> texts;
-  for (const Failure& failure : run.result.failures) texts.push_back(failure_text(failure, scene.body_names));
-  return texts;
+/// What was asked, each with the share of its limit that it came to: null for an infinite one.
+Json asked_json(const RunJudgement& judgement) {
+  Json asked = Json::array();
+  for (const JudgedPart& part : judgement.parts) {
+    const Json share = std::isfinite(part.share) ? Json(part.share) : Json(nullptr);
+    asked.push_back({{"what", part.name}, {"found", part.found}, {"asked", part.asked}, {"share", share}});
+  }
+  return asked;
 }
 
 }  // namespace
@@ -56,6 +61,9 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
   json.update({{"time_s", result.seconds},
                {"steps", result.steps},
                {"step_ms", 1e3 * result.step_seconds / std::max(1, result.steps)},
+               {"step_ms_median", 1e3 * result.median_step},
+               {"step_ms_slowest", 1e3 * result.slowest_step},
+               {"setup_ms", 1e3 * result.setup_seconds},
                {"row_updates", result.row_updates},
                {"unfinished_steps", result.unfinished_steps},
                {"unfinished_residual", result.unfinished_residual},
@@ -64,14 +72,17 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
                {"penetration_worst", worst_json(scene, result.worst_penetration, result.penetration_worst)},
                {"drift_m_or_rad", result.worst_drift},
                {"drift_worst", worst_json(scene, result.worst_drift, result.drift_worst)},
+               {"of_body", result.of_body()},
+               {"jitter_m_s", result.jitter},
                {"energy_scale_J", result.energy_scale},
                {"energy_gain", result.energy_gain},
                {"energy_loss", result.energy_loss},
                {"farthest_m", result.farthest},
                {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
                {"places", places_json(scene, run)},
-               {"missed", run.missed},
-               {"failures", failure_texts(scene, run)},
+               {"asked", asked_json(run.judgement)},
+               {"missed", run.judgement.missed()},
+               {"failures", run.judgement.failures},
                {"build", build_json()},
                {"state", fmt::format("{:016x}", result.state_hash)}});
   return json;

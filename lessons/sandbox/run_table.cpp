@@ -53,17 +53,24 @@ std::string left_text(const TrialResult& result) {
 }
 
 bool is_missed(const SceneRun& run, const std::string& name) {
-  for (const std::string& missed : run.missed) {
-    if (missed.rfind(name, 0) == 0) return true;
+  for (const JudgedPart& part : run.judgement.parts) {
+    if (part.name == name) return part.missed();
   }
   return false;
+}
+
+/// Of its limit, in per cent, the worst of what is asked; "-" where there is no such thing.
+std::string asked_text(const RunJudgement& judgement) {
+  const bool has_one = judgement.worst() != nullptr && !judgement.fails();
+  return has_one ? fmt::format("{:.3g}", 100 * judgement.share()) : "-";
 }
 
 void print_measure(Console& console, const SceneRun& run, const std::string& name, const std::string& value,
                    const std::optional<std::string>& most) {
   const bool is_judged = most && run.result.status == TrialStatus::ok;
   if (!is_judged) return print_line(console, name, value);
-  print_line(console, name, value, "expected at most " + *most, is_missed(run, name) ? -1 : 1);
+  const std::string part = name.rfind("worst ", 0) == 0 ? name.substr(6) : name;
+  print_line(console, name, value, "expected at most " + *most, is_missed(run, part) ? -1 : 1);
 }
 
 std::optional<std::string> with_unit(const std::optional<double>& value, double factor, const char* unit) {
@@ -71,12 +78,27 @@ std::optional<std::string> with_unit(const std::optional<double>& value, double 
   return fmt::format("{:g} {}", factor * *value, unit);
 }
 
-/// The bodies that were worst off, and when, below the number that says how far.
-void print_worst(Console& console, const SceneEntry& scene, const TrialWorst& worst) {
+/// The bodies that were worst off, and when, below the number that says how far; and how much that is of
+/// them, where an eye may see it.
+void print_worst(Console& console, const SceneEntry& scene, const TrialWorst& worst, double distance) {
+  constexpr double seen_share = 0.01;
+  const double share = distance / worst.thickness;
   const std::string what = worst.joint.empty() ? "" : worst.joint + " joint of ";
+  std::string seen;
+  if (share > 1)
+    seen = fmt::format(", {:.3g} times the thinner", share);
+  else if (share >= seen_share)
+    seen = fmt::format(", {:.2g} % of the thinner", 100 * share);
   print_line(console, "",
-             fmt::format("{}{} and {}, at {:.4g} s", what, scene.body_names[worst.a],
-                         scene.body_names[worst.b], worst.time));
+             fmt::format("{}{} and {}, at {:.4g} s{}", what, scene.body_names[worst.a],
+                         scene.body_names[worst.b], worst.time, seen));
+}
+
+/// Motion of what should rest, where an eye may see it.
+void print_jitter(const TrialResult& result, Console& console) {
+  constexpr double seen_speed = 0.001;  // of the thinnest body, in a second
+  if (!(result.jitter > seen_speed * result.thinnest)) return;
+  print_line(console, "jitter", milli(result.jitter) + " mm/s to and fro, of a body that rests");
 }
 
 void print_overlap_and_drift(const SceneEntry& scene, const SceneRun& run, Console& console) {
@@ -84,7 +106,8 @@ void print_overlap_and_drift(const SceneEntry& scene, const SceneRun& run, Conso
   const Expectations& expected = scene.expectations;
   print_measure(console, run, "worst penetration", milli(result.worst_penetration) + " mm",
                 with_unit(expected.penetration, 1e3, "mm"));
-  if (result.worst_penetration > 0) print_worst(console, scene, result.penetration_worst);
+  if (result.worst_penetration > 0)
+    print_worst(console, scene, result.penetration_worst, result.worst_penetration);
   Scene stepped = scene.make();
   stepped.set_settings(with_setting(stepped.settings(), run.setting));
   if (run.in_ground.depth > *full_settings(stepped).stabilization.slop) {
@@ -96,7 +119,7 @@ void print_overlap_and_drift(const SceneEntry& scene, const SceneRun& run, Conso
   if (!expected.drift && !(result.worst_drift > 0)) return;
   print_measure(console, run, "worst drift", milli(result.worst_drift) + " mm or mrad",
                 with_unit(expected.drift, 1e3, "mm or mrad"));
-  if (result.worst_drift > 0) print_worst(console, scene, result.drift_worst);
+  if (result.worst_drift > 0) print_worst(console, scene, result.drift_worst, result.worst_drift);
 }
 
 void print_standing(const SceneEntry& scene, const SceneRun& run, Console& console) {
@@ -126,24 +149,22 @@ void print_places(const SceneEntry& scene, const SceneRun& run, Console& console
   }
 }
 
-void print_failures(const SceneEntry& scene, const SceneRun& run, Console& console) {
+void print_failures(const SceneRun& run, Console& console) {
   std::string name = "fails";
-  for (const Failure& failure : run.result.failures) {
-    print_line(console, name, failure_text(failure, scene.body_names));
+  for (const std::string& failure : run.judgement.failures) {
+    print_line(console, name, failure);
     name = "";
   }
 }
 
 std::string verdict_text(const SceneEntry& scene, const SceneRun& run) {
-  if (run.result.status != TrialStatus::ok) return run.missed.front();
-  if (!run.missed.empty()) {
-    return run.missed.size() == 1 ? "misses an expectation"
-                                  : fmt::format("misses {} expectations", run.missed.size());
-  }
-  if (!run.result.failures.empty()) return "fails, whatever is expected of it";
-  const Expectations& e = scene.expectations;
-  if (!e.penetration && !e.drift && !e.energy_gain && !e.energy_loss && !e.stands && e.places.empty())
-    return "nothing is expected of it";
+  const RunJudgement& judgement = run.judgement;
+  if (!judgement.ending.empty()) return judgement.ending;
+  const int missed = judgement.missed().size();
+  if (missed > 0)
+    return missed == 1 ? "misses an expectation" : fmt::format("misses {} expectations", missed);
+  if (judgement.fails()) return "fails, whatever is expected of it";
+  if (wish_of(scene).is_empty()) return "nothing is expected of it";
   if (run.result.seconds < scene.seconds - run.setting.dt / 2) {
     return fmt::format("meets so far what is expected of {:g} s", scene.seconds);
   }
@@ -163,15 +184,15 @@ void print_row(const SceneEntry& scene, const SceneRun& run, int width, Console&
   if (result.status == TrialStatus::refused) return console.result(name + "  left out");
   const int steps = std::max(1, result.steps);
   const std::string stands = scene.expectations.stands ? fmt::format("{:.3g}", result.stands_until) : "-";
-  const std::string numbers =
-      fmt::format("{} {:>10.3g} {:>12.0f} {:>12} {:>10} {:>9} {:>9} {:>8}  ", name,
-                  1e3 * result.step_seconds / steps, static_cast<double>(result.row_updates) / steps,
-                  milli(result.worst_penetration), milli(result.worst_drift), percent(result.energy_gain),
-                  percent(std::max(0.0, result.energy_loss)), stands);
+  const std::string numbers = fmt::format(
+      "{} {:>9.3g} {:>11.0f} {:>11} {:>9} {:>7} {:>7} {:>6} {:>8.3g} {:>7}  ", name, 1e3 * result.median_step,
+      static_cast<double>(result.row_updates) / steps, milli(result.worst_penetration),
+      milli(result.worst_drift), percent(result.energy_gain), percent(std::max(0.0, result.energy_loss)),
+      stands, 1e3 * result.slowest_step, asked_text(run.judgement));
   const std::string verdict = result.status != TrialStatus::ok ? status_text(result.status)
-                              : !result.failures.empty()       ? "fails"
-                              : run.missed.empty()             ? "ok"
-                                                               : "misses";
+                              : run.judgement.fails()          ? "fails"
+                              : run.judgement.meets()          ? "ok"
+                                                               : "misses " + run.judgement.worst()->name;
   console.result(numbers + console.colored(verdict, verdict == "ok" ? Color::good : Color::bad));
 }
 
@@ -194,8 +215,10 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
   const double real_time = result.cost() > 0 ? 1 / result.cost() : 0;
   print_line(console, "time", fmt::format("{:g} s in {} steps", result.seconds, result.steps));
   print_line(console, "processor time",
-             fmt::format("{:.3g} ms a step, {:.3g} times as fast as real time",
-                         1e3 * result.step_seconds / std::max(1, result.steps), real_time));
+             fmt::format("{:.3g} ms a step, the slowest {:.3g}, and {:.3g} before the first; {:.3g} times as "
+                         "fast as real time",
+                         1e3 * result.median_step, 1e3 * result.slowest_step, 1e3 * result.setup_seconds,
+                         real_time));
   print_line(console, "row updates", count_text(result.row_updates));
   if (result.unfinished_steps > 0) print_line(console, "unfinished solves", unfinished_text(result));
   if (const std::string left = left_text(result); !left.empty()) print_line(console, "left undone", left);
@@ -206,10 +229,11 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
   print_measure(console, run, "energy loss", percent(std::max(0.0, result.energy_loss)) + " %",
                 with_unit(scene.expectations.energy_loss, 1, "%"));
   print_standing(scene, run, console);
+  print_jitter(result, console);
   print_places(scene, run, console);
-  print_failures(scene, run, console);
+  print_failures(run, console);
   const std::string verdict = verdict_text(scene, run);
-  const bool is_good = run.missed.empty() && result.failures.empty();
+  const bool is_good = run.judgement.meets();
   console.result("  " + console.colored(console.spelt(verdict), is_good ? Color::good : Color::bad));
 }
 
@@ -217,11 +241,13 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
   int width = 6;
   for (const SceneRun& run : runs) width = std::max(width, display_width(contestant_label(run.setting)));
   const auto heading = [&](const std::string& first, const List<std::string>& cells) {
-    console.result(fmt::format("{} {:>10} {:>12} {:>12} {:>10} {:>9} {:>9} {:>8}", padded(first, width),
-                               cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6]));
+    console.result(fmt::format("{} {:>9} {:>11} {:>11} {:>9} {:>7} {:>7} {:>6} {:>8} {:>7}",
+                               padded(first, width), cells[0], cells[1], cells[2], cells[3], cells[4],
+                               cells[5], cells[6], cells[7], cells[8]));
   };
-  heading("solver", {"ms a step", "row updates", "penetration", "drift", "energy", "energy", "stands"});
-  heading("", {"", "a step", "mm", "mm, mrad", "gain %", "loss %", "s"});
+  heading("solver", {"ms a step", "row updates", "penetration", "drift", "energy", "energy", "stands",
+                     "slowest", "% of"});
+  heading("", {"median", "a step", "mm", "mm, mrad", "gain %", "loss %", "s", "step, ms", "limit"});
   for (const SceneRun& run : runs) print_row(scene, run, width, console);
   for (const SceneRun& run : runs) {
     for (int i = 0; judges_places(scene, run) && i < scene.expectations.places.size(); ++i) {
@@ -234,17 +260,15 @@ void print_runs(const SceneEntry& scene, const List<SceneRun>& runs, Console& co
       console.result(contestant_label(run.setting) + ": unfinished solves " + unfinished_text(run.result));
     if (const std::string left = left_text(run.result); !left.empty())
       console.result(contestant_label(run.setting) + ": left undone " + left);
-    for (const Failure& failure : run.result.failures) {
-      const std::string text = failure_text(failure, scene.body_names);
-      console.result(wrapped(contestant_label(run.setting) + ": " + text, run_columns, 2));
-    }
+    for (const std::string& failure : run.judgement.failures)
+      console.result(wrapped(contestant_label(run.setting) + ": " + failure, run_columns, 2));
   }
 }
 
 int exit_code(const SceneRun& run) {
   if (run.result.status == TrialStatus::refused) return bad_usage;
   if (run.result.status != TrialStatus::ok) return diverged;
-  return run.missed.empty() && run.result.failures.empty() ? all_well : check_failed;
+  return run.judgement.meets() ? all_well : check_failed;
 }
 
 }  // namespace cairn::sandbox

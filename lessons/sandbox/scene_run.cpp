@@ -11,7 +11,6 @@
 #include <cairn/math/check.hpp>
 #include <cairn/measure/energy.hpp>
 #include <cairn/measure/violation.hpp>
-#include <cairn/study/expectation.hpp>
 
 namespace cairn::sandbox {
 namespace {
@@ -120,11 +119,12 @@ SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWis
   progress.clear();
   keeper.end(run.result);
   // A run that was shorter than the scene's own time, or that ended badly, is judged as far as it came.
-  if (!judged || run.result.steps <= judged_at) judged = run.result;
+  if (!judged || run.result.steps <= judged_at || run.result.status != TrialStatus::ok) judged = run.result;
+  judged->failures = run.result.failures;
   run.result.place_distances = judged->place_distances;
-  Expectations expected = scene.expectations;
+  Wish expected = wish_of(scene);
   if (judged->seconds < scene.seconds - setting.dt / 2) expected.places.clear();  // they are of its end
-  run.missed = unmet(expected, *judged, scene.body_names);
+  run.judgement = judge(*judged, expected, scene.body_names);
   return run;
 }
 

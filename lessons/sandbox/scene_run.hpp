@@ -11,7 +11,7 @@
 #include <cairn/measure/tracks.hpp>
 #include <cairn/measure/violation.hpp>
 #include <cairn/scenes/scene_list.hpp>
-#include <cairn/study/trial.hpp>
+#include <cairn/study/judgement.hpp>
 
 namespace cairn::sandbox {
 
@@ -27,9 +27,9 @@ struct RunWish {
 struct SceneRun {
   Setting setting = {};
   TrialResult result = {};
-  List<std::string> missed = {};  // expectations, in the seconds that they are for
-  List<Snapshot> frames = {};     // none that is not finite; of a run that ends badly, its end too
-  CsvTable series = {};           // time_s, kinetic_J, ...
+  RunJudgement judgement = {};  // of what the scene expects, in the seconds that that is for
+  List<Snapshot> frames = {};   // none that is not finite; of a run that ends badly, its end too
+  CsvTable series = {};         // time_s, kinetic_J, ...
   std::shared_ptr<TrackRecorder> tracks = {};  // null: none were wanted
   Overlap in_ground = {};  // the deepest of a body whose joint keeps it from touching the ground
   bool stopped = false;    // by RunWish::stops

@@ -44,15 +44,17 @@ std::string brief(std::string setting) {
 render::Plot plot_of(const TradeChart& chart, const render::Theme& theme) {
   render::Plot plot{.x = {.title = chart.work, .scale = render::AxisScale::logarithmic},
                     .y = {.title = chart.error, .scale = render::AxisScale::logarithmic}};
-  plot.cloud = places_of(chart.points);
-  plot.front = places_of(front_of(chart.points));
+  if (!chart.is_of_sweeps) {
+    plot.cloud = places_of(chart.points);
+    plot.front = places_of(front_of(chart.points));
+  }
   const List<render::SeriesStyle> styles = solver_styles(chart.curves, theme);
   for (int i = 0; i < chart.curves.size(); ++i) {
     const std::string& solver = chart.curves[i];
     List<TradePoint> own;
     std::copy_if(chart.points.begin(), chart.points.end(), std::back_inserter(own),
                  [&](const TradePoint& point) { return point.solver == solver; });
-    const render::Places places = places_of(front_of(own));
+    const render::Places places = places_of(chart.is_of_sweeps ? own : front_of(own));
     plot.series.push_back({.name = solver_label(solver), .style = styles[i], .x = places.x, .y = places.y});
   }
   if (!chart.labels_all) return plot;

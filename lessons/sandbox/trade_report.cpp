@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "lessons/kit/records.hpp"
 #include "lessons/sandbox/charts.hpp"
@@ -68,25 +69,84 @@ std::string noisy_text(int noisy) {
                      100 * most_spread);
 }
 
-/// `noisy` of the `settings` are not among those whose points these may be.
-void print_front(const TradeStudy& trade, int settings, int noisy, const List<TradePoint>& points,
-                 Console& console) {
-  List<TradePoint> front;
+/// Measures of a whole run that stand beside its error, whatever that is: the worst of its starts.
+struct Measure {
+  std::string name = {}, unit = {};
+  std::string column = {};
+  double factor = 1;  // from the column to the unit
+};
+
+/// Times stand beside times alone: counted work is the same on every machine.
+List<Measure> measures_of(const TradeStudy& trade) {
+  if (trade.level != 2) return {};
+  List<Measure> all = {{"slowest", "ms", "step_ns_max", 1e-6}, {"overlap", "mm", "pen_max", 1e3},
+                       {"gap", "mm", "drift_max", 1e3},        {"gain", "%", "dE_max_gain", 100},
+                       {"jitter", "mm/s", "jitter", 1e3},      {"inexact", "mm", "exact_gap", 1e3}};
+  if (trade.work == "work") all.erase(all.begin());
+  return all;
+}
+
+std::string measure_head(const List<Measure>& measures, std::string Measure::*word) {
+  std::string head;
+  for (const Measure& measure : measures) head += fmt::format(" {:>7}", measure.*word);
+  return head;
+}
+
+/// "-" where there is no number.
+std::string measure_text(const List<Measure>& measures, const CsvTable& table, int row) {
+  std::string text;
+  for (const Measure& measure : measures) {
+    const double number = number_in(table, row, measure.column) * measure.factor;
+    text += fmt::format(" {:>7}", std::isnan(number) ? "-" : fmt::format("{:.2g}", number));
+  }
+  return text;
+}
+
+/// "22 fails, 3 timeout": the settings whose runs are no points, by what became of them.
+std::string ended_text(const CsvTable& table) {
+  std::map<std::string, int> counts;
+  for (int row = 0; row < table.rows.size(); ++row) {
+    const std::string status = text_in(table, row, "status");
+    if (!is_point(status)) counts[status] += 1;
+  }
+  List<std::string> parts;
+  for (const auto& [status, count] : counts) parts.push_back(fmt::format("{} {}", count, status));
+  return joined(parts, ", ");
+}
+
+/// What none of the points beats, from the least work on: each is better than the one before by a hundredth.
+List<TradePoint> told_front(const List<TradePoint>& points) {
+  List<TradePoint> front, told;
   std::copy_if(points.begin(), points.end(), std::back_inserter(front),
                [](const TradePoint& p) { return p.on_front; });
   std::stable_sort(front.begin(), front.end(),
                    [](const TradePoint& a, const TradePoint& b) { return a.work < b.work; });
+  for (const TradePoint& point : front) {
+    if (told.empty() || point.error < 0.99 * told.back().error) told.push_back(point);
+  }
+  return told;
+}
+
+/// `noisy` of the settings of the table are not among those whose points these may be.
+void print_front(const TradeStudy& trade, const CsvTable& table, int noisy, const List<TradePoint>& points,
+                 Console& console) {
+  const List<TradePoint> front = told_front(points);
   std::size_t width = 20;
   for (const TradePoint& point : front) width = std::max(width, point.setting.size());
-  const int without = settings - noisy - points.size();
-  console.result(fmt::format("the best of {} settings, by work and error{}{}", settings,
-                             without > 0 ? fmt::format("; {} gave no result", without) : "",
+  const std::string ended = ended_text(table);
+  console.result(fmt::format("the best of {} settings, by work and error{}{}", table.rows.size() + noisy,
+                             ended.empty() ? "" : "; no points: " + ended,
                              noisy > 0 ? "; " + noisy_text(noisy) : ""));
   if (front.empty()) return;
-  console.result(fmt::format("  {:<{}} {:>12} {:>12}", "setting", width, trade.work_name, trade.error_name));
-  for (const TradePoint& point : front) {
+  const List<Measure> measures = measures_of(trade);
+  console.result(fmt::format("  {:<{}} {:>12} {:>12}{}", "setting", width, trade.work_name, trade.error_name,
+                             measure_head(measures, &Measure::name)));
+  if (!measures.empty())
     console.result(
-        fmt::format("  {:<{}} {:>12} {:>12.3g}", point.setting, width, number_text(point.work), point.error));
+        fmt::format("  {:<{}} {:>12} {:>12}{}", "", width, "", "", measure_head(measures, &Measure::unit)));
+  for (const TradePoint& point : front) {
+    console.result(fmt::format("  {:<{}} {:>12} {:>12.3g}{}", point.setting, width, number_text(point.work),
+                               point.error, measure_text(measures, table, point.row)));
   }
 }
 
@@ -177,7 +237,7 @@ std::string report_scene(const Words& words, const TradeStudy& trade, const CsvT
   const List<TradePoint> points =
       trade_points(steady, trade.work, trade.error, trade.level == 1 ? least_residual : 0);
   const int noisy = shown.rows.size() - steady.rows.size();
-  if (!words.has("json")) print_front(trade, shown.rows.size(), noisy, points, console);
+  if (!words.has("json")) print_front(trade, steady, noisy, points, console);
   if (points.empty()) return "";
   const std::string left_out = noisy > 0 ? " " + noisy_text(noisy) + "." : "";
   write_chart(words, trade, points, standstill + left_out, folder / (trade.name + ".png"));
@@ -195,6 +255,8 @@ int report_trade(const Words& words, const TradeStudy& trade, const std::string&
                  Console& console) {
   if (trade.level == 3) return report_map(words, csv, folder, console);
   const CsvTable table = table_of(csv, trade.name);
+  if (trade.is_of_sweeps) write_whole_file(folder / "sweeps.csv", csv_with_units(csv));
+  if (trade.is_of_sweeps) return report_sweeps(words, trade, table, folder, console);
   write_whole_file(folder / (trade.name + ".csv"), csv_with_units(csv));
   write_whole_file(folder / (trade.name + ".json"), json_of(table));
   if (words.has("json")) fmt::print("{}", json_of(table));

@@ -33,10 +33,15 @@ const List<ErrorColumn>& solve_errors() {
 }
 
 const List<ErrorColumn>& trajectory_errors() {
-  static const List<ErrorColumn> errors = {{"formula", "err_value", "error of "},
-                                           {"penetration", "pen_max", "worst overlap (m)"},
-                                           {"drift", "drift_max", "worst drift of a joint (m)"},
-                                           {"energy", "dE_max_gain", "energy gained, of the scene's scale"}};
+  static const List<ErrorColumn> errors = {
+      {"expect", "asked", "the worst of what the scene asks for, over its limit"},
+      {"formula", "err_value", "error of "},
+      {"body", "of_body", "worst overlap or gap, of the thinner body"},
+      {"penetration", "pen_max", "worst overlap (m)"},
+      {"drift", "drift_max", "worst drift of a joint (m)"},
+      {"energy", "dE_max_gain", "energy gained, of the scene's scale"},
+      {"jitter", "jitter", "motion of what rests (m/s)"},
+      {"exact", "exact_gap", "distance from the exact run after a second (m)"}};
   return errors;
 }
 
@@ -146,26 +151,64 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
   }
   const TrajectoryScene& first = scenes.front();
   if (scenes.size() == 1) require_runnable(words, first, grid);
-  const ErrorColumn& error = error_of(words, trajectory_errors(), first.watch ? "formula" : "penetration");
+  const bool is_asked = !first.wish.is_empty();
+  const ErrorColumn& error = error_of(words, trajectory_errors(),
+                                      first.watch ? "formula"
+                                      : is_asked  ? "expect"
+                                                  : "body");
   const bool by_formula = error.word == "formula";
-  if (by_formula && !first.watch) {
-    words.refuse("error", "penetration, drift or energy: no formula knows this scene", error.word);
-  }
+  if (by_formula && !first.watch)
+    words.refuse("error", "another, as no formula knows this scene", error.word);
+  if (error.word == "expect" && !is_asked)
+    words.refuse("error", "another, as this scene expects nothing ([expect])", error.word);
   const bool by_time = words.word("work", "time", {"updates", "time"}) == "time";
   return {.study = trajectory_study(scenes, grid),
           .level = 2,
           .name = names.size() == 1 ? first.name : "level2",
           .title = fmt::format("{}: {:.3g} s", unmarked(first.name), first.seconds),
           .note = trajectory_note(first),
-          .work = by_time ? "cost" : "work",
+          .work = by_time ? "frame_ms" : "work",
           .error = error.column,
-          .work_name = by_time ? "time (s/s)" : "updates/s",
+          .work_name = by_time ? "ms a frame" : "updates/s",
           .error_name = error.word,
-          .work_axis = left_is_better(by_time ? "processor time for each second simulated (s)"
+          .work_axis = left_is_better(by_time ? "processor time for a 60th of a second (ms)"
                                               : "row updates for each second simulated"),
           .error_axis = lower_is_better(error.axis + (by_formula ? first.error_name : "")),
           .curves = first_four(grid.solvers),
           .shown = {}};
+}
+
+/// Several whole runs: what more sweeps of a solver buy in each.
+TradeStudy sweeps_trade(const Words& words) {
+  for (const char* flag : {"level", "all", "quick", "work", "start", "scalar", "labels", "shard", "merge"})
+    words.refuse_beside(flag, "beside several scenes");
+  const List<std::string> solvers = words.known_texts("solvers", solver_names());
+  if (solvers.size() > 1) words.refuse("solvers", "one, beside several scenes", joined(solvers, ","));
+  SettingGrid grid{.solvers = solvers.empty() ? List<std::string>{"si"} : solvers,
+                   .frequencies = {60},
+                   .substeps = {4},
+                   .sweeps = doubled(1, 64)};
+  set_search(words, grid.base);
+  List<TrajectoryScene> scenes;
+  TradeStudy trade{.study = {}, .level = 2, .name = "sweeps", .is_of_sweeps = true};
+  for (const std::string& name : words.places) {
+    if (!names_scene_file(name))
+      words.require_known("SCENE, of several,", name, trajectory_names(), "cairn tradeoff --list");
+    scenes.push_back(trajectory_scene(name));
+    scenes.back().starts = 1;
+    scenes.back().beside_exact = false;
+    trade.curves.push_back(scenes.back().name);
+  }
+  const ErrorColumn& error = error_of(words, trajectory_errors(), "body");
+  if (error.word == "formula") words.refuse("error", "another, beside several scenes", error.word);
+  trade.study = trajectory_study(scenes, grid);
+  trade.title = fmt::format("1 to 64 sweeps of {}, 60 Hz in 4 substeps", grid.solvers.front());
+  trade.note = "Every run is drawn. Where a curve rises, more work has made it worse.";
+  trade.error = error.column;
+  trade.error_name = error.axis;
+  trade.work_axis = left_is_better("sweeps of a substep");
+  trade.error_axis = lower_is_better(error.axis);
+  return trade;
 }
 
 /// Level 3: the map of settings.
@@ -181,9 +224,11 @@ TradeStudy trade_study(const Words& words) {
   const bool all = words.has("all");
   if (all == !words.places.empty()) {
     throw UsageError(
-        "cairn tradeoff: it goes cairn tradeoff SCENE, or cairn tradeoff --all; --list shows the scenes");
+        "cairn tradeoff: it goes cairn tradeoff SCENE, or several, or cairn tradeoff --all; --list shows the "
+        "scenes");
   }
   if (all) words.refuse_beside("labels", "beside --all, which draws no settings");
+  if (words.places.size() > 1) return sweeps_trade(words);
   const std::string name = all ? "" : words.places.front();
   const bool is_frozen = std::count(frozen_names().begin(), frozen_names().end(), name) > 0;
   const int level = words.whole("level", all || is_frozen ? 1 : 2, 1, all ? 3 : 2);

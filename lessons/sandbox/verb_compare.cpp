@@ -30,7 +30,7 @@ SceneRun left_out(Setting setting, const std::string& reason) {
   SceneRun run{.setting = std::move(setting)};
   run.result.status = TrialStatus::refused;
   run.result.reason = reason;
-  run.missed = {"refused: " + reason};
+  run.judgement = judge(run.result, {});
   return run;
 }
 
@@ -101,8 +101,9 @@ int compare_code(const List<SceneRun>& runs) {
   for (const SceneRun& run : runs) {
     const TrialStatus status = run.result.status;
     if (status == TrialStatus::diverged || status == TrialStatus::nan) return diverged;
-    any = any || status != TrialStatus::refused;
-    fails = fails || !run.result.failures.empty();
+    if (status == TrialStatus::refused) continue;
+    any = true;
+    fails = fails || run.judgement.fails();
   }
   if (!any) return bad_usage;
   return fails ? check_failed : all_well;

@@ -110,17 +110,19 @@ int run_tradeoff(const Words& words, Console& console) {
 Verb tradeoff_verb() {
   return {
       .name = "tradeoff",
-      .places = "[SCENE]",
+      .places = "[SCENE...]",
       .fewest_places = 0,
-      .most_places = 1,
+      .most_places = 4,
       .summary = "work against error: a table and a chart",
       .idea =
           "Runs every setting of a grid and shows what more work buys. Of a frozen problem (level 1): every "
           "solver after 1, 2, 4 ... 4096 sweeps, cold and warm, in float and double; row updates and time "
           "against R_E or, where the true velocity is known to be unique, E_M. Of a scene (level 2): "
           "solver, sweeps, substeps and steps a second, with Box2D 2.4.1 as one more contestant; the error "
-          "is a formula's where one knows the motion, else the worst overlap. Settings under which a scene "
-          "falls, or that take more than about half of real time, are not followed further. Level 3 is the "
+          "is a formula's where one knows the motion, else the worst of what the scene expects, over its "
+          "limit, or the worst overlap or gap, beside the thinner body. A run that fails, as cairn run says "
+          "it, is no point; settings that take more than about half of real time are not followed further. "
+          "Several scenes: what more sweeps of one solver buy in each. Level 3 is the "
           "map of settings: 1472 of them in 74 scenes, each with its error and its counted work. It can be "
           "stopped and taken up again.",
       .flags = joined_flags(
@@ -130,8 +132,10 @@ Verb tradeoff_verb() {
            {"quick", "", "a coarse grid: a minute instead of many"},
            {"solvers", "NAME,NAME", "the first four get a curve", true},
            {"work", "WHAT",
-            "updates or time (level 1: updates, and of times the steady ones; level 2: time)"},
-           {"error", "WHAT", "level 1: R_E or E_M; level 2: formula, penetration, drift or energy"},
+            "updates or time (level 1: updates, and of times the steady ones; level 2: time of a frame)"},
+           {"error", "WHAT",
+            "level 1: R_E or E_M; level 2: expect, formula, body, penetration, drift, energy, jitter or "
+            "exact"},
            {"start", "WHICH", "level 1: cold or warm, in the chart (cold)"},
            {"scalar", "WHICH", "level 1: double or float, in the chart (double)"},
            {"labels", "", "writes the settings beside the points that nothing beats"},

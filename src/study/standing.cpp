@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <cairn/geometry/aabb.hpp>
+#include <cairn/study/limit.hpp>
 
 namespace cairn {
 
@@ -25,30 +26,30 @@ Standing::Standing(const Snapshot& start, double distance, double settle_seconds
   }
 }
 
-bool Standing::holds(const SnapshotBody& body, const Vec2<double>& gravity, BodyId id) const {
+double Standing::share(const SnapshotBody& body, const Vec2<double>& gravity, BodyId id) const {
   const Vec2<double> way = body.pose.position - places_[id];
   const double length = way.norm();
-  if (!settled_) return length <= wide_distances_[id];
+  if (!settled_) return share_of(length, wide_distances_[id]);
   const Vec2<double> force = body.gravity_scale * gravity;
   const bool is_lifted = way.dot(force) < 0;
-  if (!is_lifted) return length <= distance_;
+  if (!is_lifted) return share_of(length, distance_);
   const Vec2<double> up = -force.normalized();
   const Vec2<double> aside = way - way.dot(up) * up;
-  return aside.norm() <= distance_ && length <= wide_distances_[id];
+  return std::max(share_of(aside.norm(), distance_), share_of(length, wide_distances_[id]));
 }
 
-bool Standing::holds(const Snapshot& now, double time) {
-  bool all_hold = true;
+double Standing::share(const Snapshot& now, double time) {
+  double most = 0;
   for (const BodyId body : now.bodies.indices()) {
     if (now.bodies[body].type != BodyType::dynamic) continue;
-    all_hold = all_hold && holds(now.bodies[body], now.gravity, body);
+    most = std::max(most, share(now.bodies[body], now.gravity, body));
   }
   const double rounding = 1e-9 * settle_seconds_;  // of sums of time steps
   if (!settled_ && time >= settle_seconds_ - rounding) {
     settled_ = true;
     for (const BodyId body : now.bodies.indices()) places_[body] = now.bodies[body].pose.position;
   }
-  return all_hold;
+  return most;
 }
 
 }  // namespace cairn

@@ -17,11 +17,12 @@ class Standing {
  public:
   /// `distance` [m]; `settle_seconds` after the start the places are taken.
   Standing(const Snapshot& start, double distance, double settle_seconds);
-  /// Whether no dynamic body is too far off at this time [s]. To be asked of every step, in their order.
-  bool holds(const Snapshot& now, double time);
+  /// Of the way that a dynamic body may be from its place, the largest share that one is at this time [s]:
+  /// above 1, the scene does not stand. To be asked of every step, in their order.
+  double share(const Snapshot& now, double time);
 
  private:
-  bool holds(const SnapshotBody& body, const Vec2<double>& gravity, BodyId id) const;
+  double share(const SnapshotBody& body, const Vec2<double>& gravity, BodyId id) const;
 
   double distance_;                      // [m]
   double settle_seconds_;                // [s]

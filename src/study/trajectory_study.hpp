@@ -6,6 +6,7 @@
 #include <cairn/study/answered_scenes.hpp>
 #include <cairn/study/journal.hpp>
 #include <cairn/study/setting_grid.hpp>
+#include <cairn/study/judgement.hpp>
 #include <cairn/study/trial.hpp>
 #include <cairn/math/list.hpp>
 
@@ -17,13 +18,15 @@ struct TrajectoryScene {
   std::function<Scene()> make = {};
   double seconds = 2;
   double stand_distance = 0;  // [m] 0: nothing is said about standing
-  /// Where it should end, if it says so; stand_distance is the nearest that one must come.
-  List<ExpectedPlace> places = {};
+  /// What is asked of a run. Where it says where bodies should end, stand_distance is the nearest that one
+  /// must come.
+  Wish wish = {};
   /// What a formula says of the run, where it does: see AnsweredScene.
   std::string error_name = {};
   std::string error_formula = {};
   std::function<std::unique_ptr<MotionError>()> watch = {};
   std::uint64_t fingerprint = 0;  // of its file, where it has one: another text is another study
+  bool beside_exact = true;       // its second is run exactly, too, and held against that
   int starts = 1;                 // at most; above 1: jittered by 1e-6 m, with seeds 1, 2 ...
 };
 
@@ -44,12 +47,13 @@ SettingGrid trajectory_grid();
 /// for every substep: what that costs beside its sweeps. At some 15 ns each it is about half of real time.
 inline constexpr double most_trajectory_work = 3e7;
 
-/// One task for each point of the grid in each scene: runs from its starts. Median error and cost, worst
-/// penetration and drift, the share of starts that stood. Failures stay in the table, with their status.
-/// A setting is done with at the first start that falls ("fell") or fails, and at the first tenth of a run
-/// that comes to more than most_trajectory_work ("timeout"): its other numbers are of what was run. Where
-/// three starts came to the same places within a hundredth of stand_distance, a millionth of a metre does not
-/// decide whether the scene stands, and no further one is run. The column `starts` says how many there were.
+/// One task for each point of the grid in each scene: runs from its starts. Of errors and of the shares of
+/// what is asked the worst and the median, of costs the median, and the shares of starts that stood and that
+/// failed, as the judgement of a run says it (study/judgement.hpp). Failures stay in the table, with their
+/// status. A run ends where it falls ("fell"), and a setting is done with at the first tenth of a run that
+/// comes to more than most_trajectory_work ("timeout"): its other numbers are of what was run. Where three
+/// starts all failed, or came to the same places within a hundredth of stand_distance, a millionth of a metre
+/// does not decide, and no further one is run. The column `starts` says how many there were.
 Study trajectory_study(const List<TrajectoryScene>& scenes, const SettingGrid& grid);
 
 }  // namespace cairn

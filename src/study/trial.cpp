@@ -11,11 +11,14 @@
 #include <cairn/measure/energy_account.hpp>
 #include <cairn/measure/violation.hpp>
 #include <cairn/study/contestant.hpp>
+#include <cairn/study/shaking.hpp>
 #include <cairn/study/standing.hpp>
 
 namespace cairn {
 
 namespace {
+
+constexpr double last_seconds = 1;  // [s] at the end of a run, in which what rests is looked at
 
 void check_trial_options(const TrialOptions& options, double dt) {
   const double most_steps = 1e9;
@@ -50,8 +53,10 @@ class Trial {
         drive_(scene),
         watch_(start_, !options.places.empty()),
         standing_(start_, options.stand_distance, std::min(options.settle_seconds, options.seconds / 2)),
+        shaking_(options.seconds - std::min(last_seconds, options.seconds / 2)),
         is_driven_(is_driven(scene)) {
     if (options_.whole_impulses) contestant_.sum_impulses();
+    result_.thinnest = thinnest_body(start_);
     note_energy();
     note_places(start_);
     if (options_.observer) options_.observer(start_);
@@ -71,6 +76,8 @@ class Trial {
     }
     if (result_.steps == steps && is_out_of_place()) result_.fell_at = result_.stands_until = 0;
     if (!result_.fell_at) result_.stands_until = result_.seconds;
+    result_.jitter = shaking_.speed();
+    note_step_times();
     if (residuals_ > 0) result_.mean_residual = residual_sum_ / residuals_;
     result_.state_hash = contestant_.state_hash();
   }
@@ -83,7 +90,8 @@ class Trial {
       measure_ahead(is_last);
       const double before = options_.clock();
       contestant_.step();
-      result_.step_seconds += options_.clock() - before;
+      step_times_.push_back(options_.clock() - before);
+      result_.step_seconds += step_times_.back();
     } catch (const std::logic_error& refusal) {
       result_.status = TrialStatus::refused;
       result_.reason = refusal.what();
@@ -126,7 +134,8 @@ class Trial {
       return note_fall();
     }
     result_.farthest = std::max(result_.farthest, farthest_from_start(start_, now));
-    if (options_.places.empty() && !standing_.holds(now, result_.seconds)) note_fall();
+    note_standing(now);
+    shaking_.see(now, result_.seconds);
     note_places(now);
     note_drift(now);
     watch_.see(now, result_.seconds);
@@ -157,18 +166,31 @@ class Trial {
     return options_.most_energy * drive_.most_energy(result_.energy_scale, result_.seconds, substeps);
   }
 
+  /// [m]
+  double thinner(BodyId a, BodyId b) const {
+    return std::min(thickness_of(start_.bodies[a]), thickness_of(start_.bodies[b]));
+  }
+
   void note_drift(const Snapshot& now) {
     for (const SnapshotJoint& joint : now.joints) {
       if (!(joint.drift > result_.worst_drift)) continue;
       result_.worst_drift = joint.drift;
-      result_.drift_worst = {.time = result_.seconds, .a = joint.a, .b = joint.b, .joint = joint.name};
+      result_.drift_worst = {.time = result_.seconds,
+                             .a = joint.a,
+                             .b = joint.b,
+                             .joint = joint.name,
+                             .thickness = thinner(joint.a, joint.b)};
     }
   }
 
   void note_overlap(const Overlap& overlap) {
     if (!(overlap.depth > result_.worst_penetration)) return;
     result_.worst_penetration = overlap.depth;
-    result_.penetration_worst = {.time = result_.seconds, .a = overlap.a, .b = overlap.b};
+    result_.penetration_worst = {.time = result_.seconds,
+                                 .a = overlap.a,
+                                 .b = overlap.b,
+                                 .joint = {},
+                                 .thickness = thinner(overlap.a, overlap.b)};
   }
 
   void note_places(const Snapshot& now) {
@@ -186,6 +208,21 @@ class Trial {
     return false;
   }
 
+  void note_standing(const Snapshot& now) {
+    if (!options_.places.empty()) return;
+    const double share = standing_.share(now, result_.seconds);
+    result_.stand_share = std::max(result_.stand_share, share);
+    if (share > 1) note_fall();
+  }
+
+  void note_step_times() {
+    if (step_times_.empty()) return;
+    const auto middle = step_times_.begin() + step_times_.size() / 2;
+    std::nth_element(step_times_.begin(), middle, step_times_.end());
+    result_.median_step = *middle;
+    result_.slowest_step = *std::max_element(middle, step_times_.end());
+  }
+
   void note_fall() {
     if (!result_.fell_at) result_.fell_at = result_.stands_until = result_.seconds;
   }
@@ -198,6 +235,8 @@ class Trial {
   Drive drive_;
   FailureWatch watch_;
   Standing standing_;
+  Shaking shaking_;
+  List<double> step_times_ = {};  // [s]
   bool is_driven_ = false;
   double most_gain_ = 0;  // [J]
   double residual_sum_ = 0;
@@ -228,6 +267,7 @@ TrialResult run_trial(const Scene& scene, const Setting& setting, const TrialOpt
   check_trial_options(options, setting.dt);
   TrialResult result;
   std::unique_ptr<Contestant> contestant;
+  const double before = options.clock();
   try {
     contestant = make_contestant(scene, setting);
   } catch (const std::logic_error& refusal) {
@@ -235,6 +275,7 @@ TrialResult run_trial(const Scene& scene, const Setting& setting, const TrialOpt
     result.reason = refusal.what();
     return result;
   }
+  result.setup_seconds = options.clock() - before;
   const int steps = static_cast<int>(std::lround(options.seconds / setting.dt));
   Trial(*contestant, scene, options, result).run(steps, setting.dt);
   return result;

@@ -1,6 +1,7 @@
 // Floor 9. One run of a scene under a setting: what it cost, and how good it was.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -42,6 +43,7 @@ struct TrialWorst {
   double time = 0;         // [s]
   BodyId a = {}, b = {};   // the bodies that overlapped, or that the joint joins
   std::string joint = {};  // Constraint::name(); none for an overlap
+  double thickness = std::numeric_limits<double>::infinity();  // [m] thickness_of() the thinner of the two
 };
 
 struct TrialOptions {
@@ -68,8 +70,8 @@ struct TrialOptions {
   std::function<double()> clock = thread_cpu_seconds;  // [s]
 };
 
-/// The same for the same scene, setting and options, but for step_seconds, and what a time_limit or a
-/// solver's time budget makes of it.
+/// The same for the same scene, setting and options, but for the seconds of the clock, and what a time_limit
+/// or a solver's time budget makes of it.
 struct TrialResult {
   TrialStatus status = TrialStatus::ok;
   std::string reason = {};                // of a refusal
@@ -94,16 +96,29 @@ struct TrialResult {
   /// [s] After the first step where the scene did not stand; none: it did; 0: it ended out of place.
   std::optional<double> fell_at = {};
   double stands_until = 0;                    // [s] fell_at, or else all of `seconds`
+  double stand_share = 0;                     // Standing::share(), the largest of all steps
+  double jitter = 0;                          // [m/s] Shaking::speed() in the last second, or half of a
+                                              // shorter run
+  double thinnest = 0;                        // [m] thinnest_body() of the start
+  double setup_seconds = 0;                   // [s] of the clock until the scene could step
   double step_seconds = 0;                    // [s] of the clock in steps; measuring is not in it
+  double median_step = 0;                     // [s] of one step
+  double slowest_step = 0;                    // [s]
   std::int64_t row_updates = 0;               // see Contestant::row_updates
   std::int64_t rows = 0;                      // of all substeps: see Contestant::rows
   std::optional<double> worst_residual = {};  // R_E, where it was asked for and can be had
   std::optional<double> mean_residual = {};
   std::uint64_t state_hash = 0;  // see Contestant::state_hash; 0 after a refusal before the first step
 
+  /// The overlap or the gap, whichever is more, beside the thinner of its two bodies.
+  double of_body() const {
+    return std::max(worst_penetration / penetration_worst.thickness, worst_drift / drift_worst.thickness);
+  }
   bool stands() const { return status == TrialStatus::ok && !fell_at; }
   /// Of the clock for each second simulated; 0 before any.
   double cost() const { return seconds > 0 ? step_seconds / seconds : 0; }
+  /// [s] The median step, for so much of the clock as a sixtieth of a second of the scene takes of it.
+  double frame() const { return steps > 0 ? median_step * steps / (60 * seconds) : 0; }
   /// [1/s] Row updates for each second simulated; 0 before any.
   double work() const { return seconds > 0 ? static_cast<double>(row_updates) / seconds : 0; }
 };

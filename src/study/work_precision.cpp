@@ -154,16 +154,20 @@ CsvTable rows_with(const CsvTable& table, const std::map<std::string, std::strin
   return result;
 }
 
+bool is_point(const std::string& status) {
+  return status == "ok" || status == "plateau" || status == "cycle";
+}
+
 List<TradePoint> trade_points(const CsvTable& table, const std::string& work, const std::string& error,
                               double least_error) {
   List<TradePoint> points;
   for (int i = 0; i < table.rows.size(); ++i) {
-    const std::string status = text_in(table, i, "status");
-    if (status != "ok" && status != "plateau" && status != "cycle") continue;
+    if (!is_point(text_in(table, i, "status"))) continue;
     TradePoint point{.solver = text_in(table, i, "solver"),
                      .setting = text_in(table, i, "setting"),
                      .work = number_in(table, i, work),
-                     .error = number_in(table, i, error)};
+                     .error = number_in(table, i, error),
+                     .row = i};
     if (!(point.work > 0) || !std::isfinite(point.work) || !(point.error >= 0) || !std::isfinite(point.error))
       continue;
     point.error = std::max(point.error, least_error);

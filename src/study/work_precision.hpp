@@ -33,11 +33,15 @@ struct TradePoint {
   std::string setting = {};
   double work = 0;
   double error = 0;
+  int row = 0;            // of the table
   bool on_front = false;  // no other point has both less work and a smaller error
 };
 
 /// The rows of a table that have these words in these columns.
 CsvTable rows_with(const CsvTable& table, const std::map<std::string, std::string>& words);
+
+/// Whether a row that ended so is one that can be held against others.
+bool is_point(const std::string& status);
 
 /// What a table's rows come to: `work` and `error` name two of its columns. Rows that failed, and such whose
 /// numbers are not above 0, are not among them: an error of 0 stands at `least_error`.

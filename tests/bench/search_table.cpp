@@ -5,7 +5,7 @@
 
 #include <cairn/math/list.hpp>
 #include <cairn/scenes/scene_list.hpp>
-#include <cairn/study/expectation.hpp>
+#include <cairn/study/judgement.hpp>
 #include <cairn/study/trial.hpp>
 #include "table.hpp"
 #include "tables.hpp"

@@ -7,7 +7,7 @@
 
 #include <cairn/math/list.hpp>
 #include <cairn/study/contestant.hpp>
-#include <cairn/study/expectation.hpp>
+#include <cairn/study/judgement.hpp>
 
 #ifdef CAIRN_HAVE_BOX2D
 

@@ -10,7 +10,7 @@
 #include <cairn/solvers/exact/newton_solver.hpp>
 #include <cairn/scenes/scene_file.hpp>
 #include <cairn/scenes/simulation.hpp>
-#include <cairn/study/expectation.hpp>
+#include <cairn/study/judgement.hpp>
 #include <cairn/validation/case_scenes.hpp>
 
 using namespace cairn;
@@ -51,7 +51,7 @@ TEST_CASE("under the default, scenes with a known end come to it") {
     TrialOptions options = trial_options(scene);
     options.seconds = scene.seconds;
     const TrialResult result = run_trial(scene.make(), scene.setting, options);
-    for (const std::string& missed : unmet(scene.expectations, result)) FAIL_CHECK(missed);
+    for (const std::string& missed : judge(result, wish_of(scene)).missed()) FAIL_CHECK(missed);
     for (const Failure& failure : result.failures) FAIL_CHECK(failure_text(failure));
   }
 }

@@ -10,6 +10,7 @@
 #include <cairn/constraints/revolute_joint.hpp>
 #include <cairn/scenes/scene_list.hpp>
 #include <cairn/study/trade_row.hpp>
+#include <cairn/study/work_precision.hpp>
 #include <cairn/validation/case_scenes.hpp>
 
 using namespace cairn;
@@ -150,7 +151,8 @@ TEST_CASE("a scene that stands is started again and again, and the share that st
   const CsvTable fallen = rows_of({stack}, one_setting("si"));
   CHECK(number_in(fallen, 0, "survival") == 0);
   CHECK(text_in(fallen, 0, "status") == "fell");
-  CHECK(number_in(fallen, 0, "starts") == 1);  // the first has said what there is to say
+  CHECK(number_in(fallen, 0, "starts") == 3);  // that three fall is what there is to say
+  CHECK(number_in(fallen, 0, "failed") == 1);
 }
 
 TEST_CASE("starts that come to the same places are not repeated beyond three, and others are") {
@@ -203,7 +205,7 @@ TEST_CASE("a row says what it takes to have it again") {
 TEST_CASE("two studies of runs give the same answers, but for their times") {
   const TrajectoryScene scene = trajectory_scene("bounce");
   const CsvTable first = rows_of({scene}, one_setting("si")), second = rows_of({scene}, one_setting("si"));
-  const std::set<std::string> times = {"cost", "step_ns_med"};
+  const std::set<std::string> times = {"cost", "step_ns_med", "step_ns_max", "setup_ns", "frame_ms"};
   for (int i = 0; i < first.header.size(); ++i) {
     CAPTURE(first.header[i]);
     if (times.count(first.header[i]) == 0) CHECK(first.rows[0][i] == second.rows[0][i]);
@@ -241,3 +243,49 @@ TEST_CASE("a run of Box2D is a row as any other, in float") {
   CHECK(number_in(table, 0, "err_value") <= 0.02);  // twice mu g dt / v = 1 % of a step's way
 }
 #endif
+
+TEST_CASE("more sweeps are more accuracy: in a bridge, a chain, a pyramid and a net") {
+  const SettingGrid grid{.solvers = {"si"}, .frequencies = {60}, .substeps = {4}, .sweeps = {1, 4, 16, 64}};
+  for (const std::string name :
+       {"bridge", "chain", "pyramid", CAIRN_SOURCE_DIR "/tests/study/cases/net.toml"}) {
+    CAPTURE(name);
+    TrajectoryScene scene = trajectory_scene(name);
+    scene.seconds = 2;
+    scene.starts = 1;
+    scene.beside_exact = false;
+    const CsvTable table = rows_of({scene}, grid);
+    for (int i = 0; i < table.rows.size(); ++i) {
+      CHECK(text_in(table, i, "status") == "ok");
+      // A twentieth more: what the steps leave stays.
+      if (i > 0) CHECK(number_in(table, i, "of_body") <= 1.05 * number_in(table, i - 1, "of_body"));
+    }
+    CHECK(number_in(table, 3, "of_body") < 0.1 * number_in(table, 0, "of_body"));
+  }
+}
+
+TEST_CASE("a run that fails is no point, whether a formula knows it or not, and all starts are counted") {
+  TrajectoryScene fallen = free_disc(0, 0.25);
+  fallen.make = [] {
+    Scene scene;
+    scene.add_ground({.half_width = 1});
+    scene.add({.shapes = {circle(0.5)}, .position = {0.6, 0.5}, .velocity = {3, 0}});
+    return scene;
+  };
+  fallen.seconds = 3;
+  fallen.starts = 16;
+  const CsvTable table = rows_of({fallen}, one_setting("si"));
+  CHECK(text_in(table, 0, "status") == "fails");  // it has rolled off the ground
+  CHECK(number_in(table, 0, "failed") == 1);
+  CHECK(number_in(table, 0, "starts") == 3);
+  CHECK(trade_points(table, "work", "err_value", 0).empty());
+}
+
+TEST_CASE("the worst share of what is asked stands in the table, with the name of the part that it is of") {
+  TrajectoryScene disc = free_disc(0.5, 0);
+  disc.watch = nullptr;
+  disc.wish = {
+      .penetration = 0.25, .energy_gain = 0.5, .places = {{.body = {1}, .position = {0, 0}, .within = 1}}};
+  const CsvTable table = rows_of({disc}, one_setting("si"));
+  CHECK(text_in(table, 0, "asked_most") == "place of body 1");
+  CHECK(number_in(table, 0, "asked") == doctest::Approx(0.25).epsilon(1e-9));  // 0.5 s at 0.5 m/s
+}

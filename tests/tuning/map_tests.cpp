@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <cairn/study/tuning/map_study.hpp>
+#include <cairn/study/tuning/sweep_price.hpp>
 
 using namespace cairn;
 
@@ -76,7 +77,7 @@ TEST_CASE(
   CHECK(std::get<std::string>(row[11]) == "3.6e+04");
   CHECK(rows == 1200);
   CHECK(counted_work("si", 30 * rows, rows) == 40 * rows);
-  CHECK(counted_work("block", 30 * rows, rows) == doctest::Approx((1.6 * 30 + 10) * rows).epsilon(1e-15));
+  CHECK(counted_work("block", 30 * rows, rows) == doctest::Approx((1.3 * 30 + 10) * rows).epsilon(1e-15));
 }
 
 TEST_CASE("the cheapest of those that meet the goal, and none where none does") {
@@ -86,6 +87,35 @@ TEST_CASE("the cheapest of those that meet the goal, and none where none does") 
   CHECK(cheapest(two_scenes.scenes[1], 1e-9) == nullptr);
   const auto by_si = [](const MapRow& run) { return run.solver == "si"; };
   CHECK(cheapest(two_scenes.scenes[1], 0.01, by_si)->work == 900);
+}
+
+TEST_CASE(
+    "another price of a sweep is another count of work, for its solver alone, and may have another winner") {
+  MapTable table = two_scenes;
+  for (List<MapRow>& runs : table.scenes) {
+    for (MapRow& run : runs) {
+      run.rows = 1;
+      run.updates = run.solver == "newton" ? 15 : 20;
+      run.work = counted_work(run.solver, run.updates, run.rows);
+    }
+  }
+  CHECK(cheapest(table.scenes[0], 0.01)->solver == "newton");  // 15 + 10, and si 20 + 10
+  const MapTable dear = priced(table, "newton", 30);
+  CHECK(dear.scenes[0][2].work == 30 + 10);
+  CHECK(dear.scenes[0][1].work == 20 + 10);
+  CHECK(cheapest(dear.scenes[0], 0.01)->solver == "si");
+}
+
+TEST_CASE("prices are measured in sweeps of sequential impulses, which cost one") {
+  const List<SweepPrice> prices = measured_prices({"si", "accelerated"});
+  REQUIRE(prices.size() == 2);
+  CHECK(prices[0].median == doctest::Approx(1).epsilon(0.5));  // the machine may have other work
+  for (const SweepPrice& price : prices) {
+    CHECK(price.least > 0);
+    CHECK(price.least <= price.median);
+    CHECK(price.median <= price.most);
+  }
+  CHECK(prices[1].median > prices[0].median);  // momentum does more in a sweep
 }
 
 TEST_CASE("one setting for both scenes: that which does for most, at the geometric mean of its multiples") {

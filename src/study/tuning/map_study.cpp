@@ -78,6 +78,7 @@ struct MapWatch {
   std::string status(const TrialResult& run) const {
     if (run.status != TrialStatus::ok) return status_text(run.status);
     if (run.fell_at) return "fell";
+    if (!run.failures.empty()) return "fails";
     if (gains(run)) return "gained";
     if (slow) return "timeout";
     return error(run) <= largest_map_error ? "ok" : "off";
@@ -92,7 +93,7 @@ List<CsvCell> map_row(const MapScene& entry, const Setting& setting) {
   const Scene as_made = scene.make();
   MapWatch watch{.formula = scene.watch ? scene.watch() : nullptr, .driven = is_driven(as_made)};
   TrialOptions options = trial_options(scene, setting);
-  const bool is_whole = watch.formula || !scene.places.empty();
+  const bool is_whole = watch.formula || !scene.wish.places.empty();
   if (!is_whole) options.seconds = std::min(scene.seconds, longest_run);
   if (watch.formula) options.observer = [&watch](const Snapshot& now) { watch.formula->see(now); };
   options.gives_up = [&](const TrialResult& so_far) {
@@ -149,9 +150,9 @@ List<Setting> map_settings() {
   return settings;
 }
 
-double counted_work(const std::string& solver, double updates, double rows) {
+double counted_work(const std::string& solver, double updates, double rows, std::optional<double> price) {
   const SolverEntry& entry = solver_entry(solver);
-  const double weight = entry.work_of_a_sweep / entry.updates_a_row;
+  const double weight = price.value_or(entry.work_of_a_sweep) / entry.updates_a_row;
   return weight * updates + work_of_a_step * rows;
 }
 
@@ -201,8 +202,10 @@ MapRow map_row_of(const CsvTable& table, int i) {
              .policy = text_in(table, i, "policy"),
              .scalar = text_in(table, i, "scalar"),
              .status = text_in(table, i, "status"),
+             .rows = map_number(table, i, "rows/s"),
+             .updates = map_number(table, i, "updates/s"),
              .error = map_number(table, i, "error")};
-  row.work = counted_work(row.solver, map_number(table, i, "updates/s"), map_number(table, i, "rows/s"));
+  row.work = counted_work(row.solver, row.updates, row.rows);
   return row;
 }
 
@@ -225,6 +228,15 @@ MapTable read_map(const CsvTable& table, const std::string& name) {
     require(runs.size() == map.settings(), name, "settings of " + runs.front().scene,
             fmt::format("{}, as of the first scene", map.settings()), runs.size());
   return map;
+}
+
+MapTable priced(MapTable table, const std::string& solver, double price) {
+  for (List<MapRow>& runs : table.scenes) {
+    for (MapRow& run : runs) {
+      if (run.solver == solver) run.work = counted_work(solver, run.updates, run.rows, price);
+    }
+  }
+  return table;
 }
 
 const MapRow* cheapest(const List<MapRow>& runs, double goal,

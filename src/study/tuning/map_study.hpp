@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <cairn/math/list.hpp>
@@ -50,9 +51,10 @@ inline constexpr double largest_map_gain = 0.01;
 inline constexpr double most_map_work = 3e6;
 
 /// Row updates of sequential impulses that take as long as these `updates` of the solver and all else that
-/// steps do for `rows` rows: as much as ten sweeps over them. The weights are the tuner's: see
-/// expected_work().
-double counted_work(const std::string& solver, double updates, double rows);
+/// steps do for `rows` rows: as much as ten sweeps over them. A sweep is weighed by `price`, or by
+/// SolverEntry::work_of_a_sweep, as in expected_work().
+double counted_work(const std::string& solver, double updates, double rows,
+                    std::optional<double> price = std::nullopt);
 
 /// The columns of the table, without the task.
 const List<std::string>& map_header();
@@ -74,8 +76,10 @@ struct MapRow {
   std::string policy = {};
   std::string scalar = {};
   std::string status = {};
-  double work = 0;   // [1/s] counted_work()
-  double error = 0;  // [m], or part of what a formula says; infinite where there is no number
+  double rows = 0;     // [1/s] of all substeps
+  double updates = 0;  // [1/s] of these rows
+  double work = 0;     // [1/s] counted_work()
+  double error = 0;    // [m], or part of what a formula says; infinite where there is no number
 
   bool meets(double goal) const { return status == "ok" && error <= goal; }
   /// "si x10, 60 Hz x4, soft, double".
@@ -91,6 +95,9 @@ struct MapTable {
 
 /// The table that map_study() writes. @throws std::invalid_argument for one of another kind, with its name.
 MapTable read_map(const CsvTable& table, const std::string& name);
+
+/// The same runs, where a sweep of the solver has another price.
+MapTable priced(MapTable table, const std::string& solver, double price);
 
 /// The one with the least work that meets the goal, the first of several; nullptr if none does.
 const MapRow* cheapest(const List<MapRow>& runs, double goal,

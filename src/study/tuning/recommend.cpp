@@ -80,13 +80,11 @@ RecommendFinding find_recommendation(const RecommendRun& run, const Setting& set
   TrialOptions options{.seconds = run.seconds, .stand_distance = run.stand_distance};
   options.most_energy = std::numeric_limits<double>::infinity();
   options.time_limit = longest_trial;
-  options.gives_up = [&](const TrialResult& result) {
-    return escaped || !verdict_so_far(result, run.wish).meets;
-  };
+  options.gives_up = [&](const TrialResult& result) { return escaped || judge(result, run.wish).is_lost(); };
   options.observer = [&](const Snapshot& now) { escaped = escaped || (run.escaped && run.escaped(now)); };
   const TrialResult result = run_trial(run.make(), used, options);
   return {.run = run.name,
-          .missed = escaped ? "went through" : verdict(result, run.wish).missed,
+          .missed = escaped ? "went through" : judge(result, run.wish).first_missed(result.seconds),
           .penetration = result.worst_penetration,
           .drift = result.worst_drift,
           .energy_gain = result.energy_gain,
