@@ -217,7 +217,7 @@ Verb tune_verb() {
       .idea =
           "Tries solvers, sweeps, steps, substeps and policies from the least work to the most, and finds "
           "the one that costs the least processor time of those that do what you wish, from 16 starts a "
-          "thousandth of a millimetre apart. Says what that costs beside plain SI (60 Hz, Baumgarte, more "
+          "thousandth of a millimetre apart. Says what that costs beside plain SI (60 Hz, relaxed, more "
           "and more sweeps) and beside Box2D 2.4.1. Several wishes must all be met. Exit code 1 when "
           "nothing does. A scene stands while no body is farther from its place, aside or down, than it "
           "allows ([expect] stands in its file); places are those after the first second (or half of a "
