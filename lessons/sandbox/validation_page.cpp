@@ -152,17 +152,15 @@ std::string short_number(double value) { return fmt::format("{:.6g}", value); }
 
 std::string validation_page(const List<Outcome>& outcomes) {
   std::string text =
-      "# Closed forms\n\nWhat a formula foretells, and what Cairn computes. Made by `build/release/bin/cairn "
-      "validate --page src/validation/RESULTS.md`;\n"
-      "a test holds this page against a fresh run. A tolerance is derived: from rounding where the formula "
-      "is "
-      "that of the\n"
-      "steps, from the order of the step where it is that of the motion. An order is that of the error in "
-      "dt, "
-      "over halvings of\n"
-      "dt. Box2D 2.4.1, in float, runs the cases that it can; tolerances that come from rounding in double "
-      "are "
-      "beyond it.\n\n" +
+      "# Closed forms\n\nWhat a formula foretells, and what Cairn computes. Made by\n"
+      "`build/release/bin/cairn validate --page src/validation/RESULTS.md`; a test holds this page against a "
+      "fresh run. A\n"
+      "tolerance is derived: from rounding where the formula is that of the steps, from the order of the "
+      "step "
+      "where it is that\n"
+      "of the motion. An order is that of the error in dt, over halvings of dt. Box2D 2.4.1, in float, runs "
+      "the cases that it\n"
+      "can; tolerances that come from rounding in double are beyond it.\n\n" +
       summary_of(outcomes).text() + "\n" + contents(outcomes);
   for (const Outcome& outcome : outcomes) text += case_text(outcome);
   return text;
