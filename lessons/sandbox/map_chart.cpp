@@ -163,8 +163,7 @@ void draw_map_legend(render::Page& page, const List<MapPanel>& panels, double y)
       "A cell names the setting that needs the least counted work for the error at its left: steps a second, "
       "× substeps; below them sweeps (of newton: linear systems), and the policy where it is not relaxed. "
       "None: every setting that was tried has a larger error, falls, gains energy, or takes too long. A "
-      "title "
-      "says which solver fills most of its cells." +
+      "title says which solver fills the most of its cells." +
           nowhere,
       small_style(page));
 }
