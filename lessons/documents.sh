@@ -28,6 +28,7 @@ quoted() {
   awk -v name="$2" '
     { line = $0; sub(/^ +/, "", line) }
     line == "// [/" name "]" { exit }
+    is_region && line ~ /^\/\/ \[\/?[a-z_-]+\]$/ { next }  # of a region inside
     is_region { text = text substr($0, margin + 1) "\n" }
     line == "// [" name "]" { is_region = 1; margin = index($0, "/") - 1 }
     END { if (text == "") exit 1; printf "%s", text }' "$1" && return

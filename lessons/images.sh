@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of the documents: the cover of every lesson, small, in both themes, one larger picture, a chart of
-# work against error, one of sweeps, the map of settings, the failures of sandbox/FAILURES.md, and the film of the
-# playground.
+# work against error, one of sweeps, the map of settings, the failures of sandbox/FAILURES.md, and the films of the
+# playground and of six scenes at three prices.
 #   bash lessons/images.sh PROGRAMS SCRATCH IMAGES
 set -eu
 programs=$1
@@ -70,6 +70,9 @@ for theme in light dark; do
       --quiet >/dev/null
     cp "$scratch/map_$theme/map.png" "$images/map_$theme.png"
     failures
+  fi
+  if [[ -x $programs/cairn_price_film ]]; then
+    "$programs/cairn_price_film" "$theme" "$images/prices_$theme.png" "$(dirname "${BASH_SOURCE[0]}")/sandbox/choosing"
   fi
   if [[ -x $programs/cairn_playground_film ]]; then
     "$programs/cairn_playground_film" "$theme" "$images/playground_$theme.png"

@@ -12,6 +12,7 @@ namespace cairn::pulley {
 /// top_i - y_i each:
 ///   c = length - sum r_i (top_i - y_i) >= 0,  j = (0, r_1, 0, 0, r_2, 0, 0, r_3, 0),  lambda >= 0
 /// A rope pulls and never pushes, so its row is one-sided, and slack where c > 0.
+// [joint]
 class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
  public:
   struct End {
@@ -53,5 +54,6 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
   FixedList<End, 3> ends_;
   double length_;
 };
+// [/joint]
 
 }  // namespace cairn::pulley

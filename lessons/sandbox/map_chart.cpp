@@ -20,7 +20,7 @@ const List<double> map_goals = {0.03, 0.01, 0.003, 0.001, 0.0001};  // [m], from
 const std::string stepped_scene = "length 10";                      // whose frequencies have a panel
 
 constexpr double map_gap = 10, panel_edge = 12, map_panel_height = 300, cell_type = 12;
-constexpr int map_head = 58, map_foot = 84;  // [px] above the panels and below
+constexpr int map_head = 58, map_foot = 100;  // [px] above the panels and below
 
 /// A column of a panel: a number, and the runs among which the cheapest is looked for.
 struct MapColumn {
@@ -34,6 +34,35 @@ struct MapPanel {
   std::string axis = {};
   List<MapColumn> columns = {};
 };
+
+/// The cheapest run of the column for the error; nullptr if none comes to it.
+const MapRow* best_in(const MapColumn& column, double goal) {
+  return cheapest(*column.runs, goal, [&](const MapRow& run) {
+    return column.frequency == 0 || run.frequency == column.frequency;
+  });
+}
+
+/// In how many cells of the panels each solver is the cheapest, in the order of map_solvers.
+List<int> cells_won(const List<MapPanel>& panels) {
+  List<int> won(map_solvers.size(), 0);
+  for (const MapPanel& panel : panels) {
+    for (const MapColumn& column : panel.columns) {
+      for (const double goal : map_goals) {
+        const MapRow* const best = best_in(column, goal);
+        for (int i = 0; i < map_solvers.size(); ++i) won[i] += best && best->solver == map_solvers[i] ? 1 : 0;
+      }
+    }
+  }
+  return won;
+}
+
+/// ": newton in 38 of 40": what the panel found.
+std::string finding_of(const MapPanel& panel) {
+  const List<int> won = cells_won({panel});
+  const int most = static_cast<int>(std::max_element(won.begin(), won.end()) - won.begin());
+  return fmt::format(": {} in {} of {}", solver_label(map_solvers[most]), won[most],
+                     panel.columns.size() * map_goals.size());
+}
 
 std::string column_label(double value) {
   return value < 1e4 ? fmt::format("{:g}", value) : fmt::format("10^{{{:.0f}}}", std::log10(value));
@@ -80,9 +109,7 @@ void write_setting(render::Page& page, const Rect& cell, const MapRow& run, rend
 }
 
 void draw_cell(render::Page& page, const Rect& cell, const MapColumn& column, double goal) {
-  const MapRow* best = cheapest(*column.runs, goal, [&](const MapRow& run) {
-    return column.frequency == 0 || run.frequency == column.frequency;
-  });
+  const MapRow* const best = best_in(column, goal);
   if (best == nullptr) {
     page.canvas().rect(cell, {.outline = page.theme().frame_line, .outline_width = 1});
     TextStyle style{.size = cell_type, .color = page.theme().secondary_text, .align = Align::center};
@@ -96,7 +123,7 @@ void draw_cell(render::Page& page, const Rect& cell, const MapColumn& column, do
 
 void draw_map_panel(render::Page& page, const MapPanel& panel, const Rect& rect) {
   frame_panel(page, rect);
-  page.canvas().text({rect.x + panel_edge, rect.y + 24}, panel.title, name_style(page));
+  page.canvas().text({rect.x + panel_edge, rect.y + 24}, panel.title + finding_of(panel), name_style(page));
   page.canvas().text({rect.x + panel_edge, rect.y + 45}, "↑ error wanted", small_style(page));
   const double left = rect.x + panel_edge + 58, top = rect.y + 54;
   const double width = std::floor((rect.width - 2 * panel_edge - 58) / panel.columns.size());
@@ -116,19 +143,28 @@ void draw_map_panel(render::Page& page, const MapPanel& panel, const Rect& rect)
                      small_style(page, Align::center));
 }
 
-void draw_map_legend(render::Page& page, double y) {
+/// The solvers that are somewhere the cheapest, with their colours; the others by name.
+void draw_map_legend(render::Page& page, const List<MapPanel>& panels, double y) {
   double x = page.sizes().margin;
   const TextStyle name = name_style(page, 15);
-  for (const std::string& solver : map_solvers) {
-    page.canvas().rect({x, y, 24, 18}, {.fill = solver_color(page, solver)});
-    page.canvas().text({x + 32, y + 14}, solver_label(solver), name);
-    x += 32 + page.canvas().text_width(solver_label(solver), name) + 28;
+  const List<int> won = cells_won(panels);
+  std::string nowhere;
+  for (int i = 0; i < map_solvers.size(); ++i) {
+    if (won[i] == 0) {
+      nowhere += " Nowhere the cheapest: " + solver_label(map_solvers[i]) + ".";
+      continue;
+    }
+    page.canvas().rect({x, y, 24, 18}, {.fill = solver_color(page, map_solvers[i])});
+    page.canvas().text({x + 32, y + 14}, solver_label(map_solvers[i]), name);
+    x += 32 + page.canvas().text_width(solver_label(map_solvers[i]), name) + 28;
   }
   page.paragraph(
       {page.sizes().margin, y + 40}, page.canvas().width() - 2 * page.sizes().margin,
       "A cell names the setting that needs the least counted work for the error at its left: steps a second, "
       "× substeps; below them sweeps (of newton: linear systems), and the policy where it is not relaxed. "
-      "None: every setting that was tried has a larger error, falls, gains energy, or takes too long.",
+      "None: every setting that was tried has a larger error, falls, gains energy, or takes too long. A "
+      "title says which solver fills the most of its cells." +
+          nowhere,
       small_style(page));
 }
 
@@ -147,7 +183,7 @@ PanelPicture draw_map(const MapTable& table, const render::Theme& theme) {
                        map_head + (i / 2) * (map_panel_height + map_gap), width, map_panel_height};
     draw_map_panel(page, panels[i], rect);
   }
-  draw_map_legend(page, map_head + body + 4);
+  draw_map_legend(page, panels, map_head + body + 4);
   return {page.canvas().read(), render::lint(page)};
 }
 

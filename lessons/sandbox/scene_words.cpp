@@ -51,22 +51,26 @@ std::string either() {
   return joined({words.begin(), words.end() - 1}, ", ") + " or " + words.back();
 }
 
+bool is_world_stepped(const SolverEntry& solver) { return solver.uses_world; }
+
 /// The flags that not every solver takes, by what its entry says.
 struct TakenFlag {
   const char* flag = "";
-  bool SolverEntry::*taken = nullptr;
+  bool (*taken)(const SolverEntry&) = nullptr;
 };
-constexpr TakenFlag taken_flags[] = {{"sweeps", &SolverEntry::uses_sweeps},
-                                     {"cold", &SolverEntry::uses_warm_start},
-                                     {"contact-search", &SolverEntry::uses_world},
-                                     {"scalar", &SolverEntry::uses_world},
-                                     {"stabilization", &SolverEntry::uses_world}};
+constexpr TakenFlag taken_flags[] = {
+    {"sweeps", [](const SolverEntry& solver) { return solver.uses_sweeps; }},
+    {"tolerance", [](const SolverEntry& solver) { return solver.uses_world && solver.uses_sweeps; }},
+    {"cold", [](const SolverEntry& solver) { return solver.uses_warm_start; }},
+    {"contact-search", is_world_stepped},
+    {"scalar", is_world_stepped},
+    {"stabilization", is_world_stepped}};
 
 }  // namespace
 
 void refuse_idle_flags(const Words& words, const List<std::string>& solvers) {
   for (const TakenFlag& each : taken_flags) {
-    const auto takes = [&each](const std::string& solver) { return solver_entry(solver).*each.taken; };
+    const auto takes = [&each](const std::string& solver) { return each.taken(solver_entry(solver)); };
     if (std::none_of(solvers.begin(), solvers.end(), takes))
       words.refuse_beside(each.flag, "to " + joined(solvers, ", "));
   }
@@ -96,6 +100,7 @@ List<Flag> setting_flags() {
       {"solver", "NAME",
        "or NAME:SWEEPS, such as si:10; cairn list solvers (the scene's own, as all of these)"},
       {"sweeps", "N", fmt::format("over all rows, at most; from 0 to {}", Setting::most_sweeps)},
+      {"tolerance", "NUMBER", "a solver stops once R_E is at most this; 0: never sooner"},
       {"substeps", "N", "of which a step is made"}};
   flags = joined_flags(flags, search_flags());
   return joined_flags(
@@ -129,7 +134,8 @@ std::string why_chosen(const SceneEntry& scene, const Setting& setting) {
   const DefaultSetting usual = default_setting(scene.make());
   const bool is_usual = setting.solver == usual.setting.solver &&
                         setting.substeps == usual.setting.substeps &&
-                        setting.sweeps.iterations == usual.setting.sweeps.iterations;
+                        setting.sweeps.iterations == usual.setting.sweeps.iterations &&
+                        setting.sweeps.tolerance == usual.setting.sweeps.tolerance;
   return is_usual ? usual.reason : "";
 }
 
@@ -147,6 +153,7 @@ Setting common_setting(const Words& words, const SceneEntry& scene) {
     if (solver->find(':') != std::string::npos) words.refuse_beside("sweeps", "beside --solver " + *solver);
   }
   setting.sweeps.iterations = words.whole("sweeps", setting.sweeps.iterations, 0, Setting::most_sweeps);
+  setting.sweeps.tolerance = words.number("tolerance", setting.sweeps.tolerance, 0, 1);
   setting.substeps = words.whole("substeps", setting.substeps, 1, SceneSettings::most_substeps);
   set_search(words, setting);
   setting.dt = step_of(words, setting.dt);

@@ -14,8 +14,8 @@ namespace cairn::sandbox {
 /// file that cannot be read.
 SceneEntry scene_of(const Words& words, const std::string& name, List<std::string> others = {});
 
-/// --solver, --sweeps, --substeps, --contact-search, --frequency, --dt, --scalar, --stabilization,
-/// --cold.
+/// --solver, --sweeps, --tolerance, --substeps, --contact-search, --frequency, --dt, --scalar,
+/// --stabilization, --cold.
 List<Flag> setting_flags();
 
 /// --contact-search, which studies of whole runs take too.

@@ -7,6 +7,7 @@
 
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
+#include "lessons/sandbox/validation_page.hpp"
 #include "lessons/sandbox/verbs.hpp"
 #include <cairn/math/check.hpp>
 #include <cairn/math/list.hpp>
@@ -21,16 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Color = Console::Color;
 
-/// A case, what came out of it, and how long it took [s].
-struct Outcome {
-  const ValidationCase* of = nullptr;
-  ValidationResult cairn = {};
-  double cairn_seconds = 0;
-  std::optional<ValidationResult> box2d = {};
-  double box2d_seconds = 0;
-  std::string box2d_refused = {};  // why there is none
-};
-
 ValidationResult timed(const ValidationCase& test, const EngineMaker& make, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   ValidationResult result = test.run(make);
@@ -39,8 +30,7 @@ ValidationResult timed(const ValidationCase& test, const EngineMaker& make, doub
 }
 
 Outcome outcome_of(const ValidationCase& test) {
-  Outcome outcome{
-      .of = &test, .cairn = {}, .cairn_seconds = 0, .box2d = {}, .box2d_seconds = 0, .box2d_refused = {}};
+  Outcome outcome{.of = &test};
   outcome.cairn = timed(test, cairn_engine(), outcome.cairn_seconds);
   if (test.asks != Asks::any_engine || !box2d_engine()) return outcome;
   try {
@@ -49,17 +39,6 @@ Outcome outcome_of(const ValidationCase& test) {
     outcome.box2d_refused = error.what();
   }
   return outcome;
-}
-
-std::string short_number(double value) { return fmt::format("{:.6g}", value); }
-std::string error_text(double value) { return value == 0 ? "0" : fmt::format("{:.1e}", value); }
-
-/// Which of two errors is the smaller one, in words.
-std::string closer(const Measured& cairn, const Measured& box2d) {
-  // Errors within a factor of two, or both inside the tolerance, are told apart by chance.
-  const bool alike = cairn.error() <= 2 * box2d.error() && box2d.error() <= 2 * cairn.error();
-  if (alike) return "alike";
-  return cairn.error() < box2d.error() ? "Cairn" : "Box2D";
 }
 
 void print_numbers(const Outcome& outcome, Console& console) {
@@ -71,12 +50,13 @@ void print_numbers(const Outcome& outcome, Console& console) {
     console.result(console.spelt(fmt::format("  {}", m.what)));
     console.result(console.spelt(fmt::format("    {} = {}{}, got {}, error {} <= {} ({})  ", m.formula,
                                              short_number(m.expected), unit, short_number(m.got),
-                                             error_text(m.error()), error_text(m.tolerance), m.reason)) +
+                                             error_word(m.error()), error_word(m.tolerance), m.reason)) +
                    verdict);
-    if (!outcome.box2d || i >= outcome.box2d->numbers.size()) continue;
-    const Measured& b = outcome.box2d->numbers[i];
-    console.result(console.spelt(fmt::format("    Box2D got {}, error {}; closer: {}", short_number(b.got),
-                                             error_text(b.error()), closer(m, b))));
+    const Measured* const beside = outcome.beside(i);
+    if (beside == nullptr) continue;
+    console.result(
+        console.spelt(fmt::format("    Box2D got {}, error {}, {} the tolerance", short_number(beside->got),
+                                  error_word(beside->error()), beside->passes() ? "within" : "beyond")));
   }
 }
 
@@ -130,78 +110,6 @@ Json outcome_json(const Outcome& outcome) {
   return json;
 }
 
-struct Summary {
-  int cases = 0, passed = 0, numbers = 0, beside = 0, cairn_closer = 0, box2d_closer = 0, orders = 0;
-};
-
-Summary summary_of(const List<Outcome>& outcomes) {
-  Summary sum;
-  for (const Outcome& outcome : outcomes) {
-    ++sum.cases;
-    sum.passed += outcome.cairn.passes() ? 1 : 0;
-    sum.orders += outcome.cairn.convergence ? 1 : 0;
-    sum.numbers += outcome.cairn.numbers.size();
-    if (!outcome.box2d) continue;
-    const int both = std::min(outcome.cairn.numbers.size(), outcome.box2d->numbers.size());
-    for (int i = 0; i < both; ++i) {
-      const std::string winner = closer(outcome.cairn.numbers[i], outcome.box2d->numbers[i]);
-      ++sum.beside;
-      sum.cairn_closer += winner == "Cairn" ? 1 : 0;
-      sum.box2d_closer += winner == "Box2D" ? 1 : 0;
-    }
-  }
-  return sum;
-}
-
-std::string summary_text(const Summary& sum) {
-  std::string text = fmt::format("{} of {} closed forms hold, {} numbers in all, {} orders of convergence.",
-                                 sum.passed, sum.cases, sum.numbers, sum.orders);
-  if (sum.beside > 0) {
-    text += fmt::format(
-        " Of the {} numbers that Box2D 2.4.1 can give too, Cairn is closer to the formula in {}, Box2D in "
-        "{}.",
-        sum.beside, sum.cairn_closer, sum.box2d_closer);
-  }
-  return text;
-}
-
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.replace(at, 1, "\\|");
-  return text;
-}
-
-/// The page of the documents: numbers only, so that it is the same on every machine.
-std::string page(const List<Outcome>& outcomes) {
-  std::string text =
-      "# Closed forms\n\nWhat a formula foretells, and what Cairn computes. Made by `build/release/bin/cairn "
-      "validate --page src/validation/RESULTS.md`;\n"
-      "a test holds this page against a fresh run. The order is that of the error in dt, over halvings of "
-      "dt. Box2D 2.4.1\n"
-      "stands beside Cairn where it can run the scene; nothing is asked of it.\n\n" +
-      summary_text(summary_of(outcomes)) + "\n";
-  for (const Outcome& outcome : outcomes) {
-    text += fmt::format("\n## {}: {}\n\n{}\n\n", outcome.of->id, outcome.of->title,
-                        outcome.of->source.empty() ? "Derived." : "Source: " + outcome.of->source + ".");
-    text +=
-        "| number | formula | expected | got | error | tolerance, and where it comes from | Box2D's error "
-        "|\n|---|---|---|---|---|---|---|\n";
-    for (int i = 0; i < outcome.cairn.numbers.size(); ++i) {
-      const Measured& m = outcome.cairn.numbers[i];
-      const bool beside = outcome.box2d && i < outcome.box2d->numbers.size();
-      text += fmt::format("| {} | {} | {} {} | {} | {} | {}: {} | {} |\n", cell(m.what), cell(m.formula),
-                          short_number(m.expected), m.unit, short_number(m.got), error_text(m.error()),
-                          error_text(m.tolerance), cell(m.reason),
-                          beside ? error_text(outcome.box2d->numbers[i].error()) : "");
-    }
-    if (!outcome.cairn.convergence) continue;
-    const Convergence& c = *outcome.cairn.convergence;
-    text += fmt::format("\n{}: order {:.2f}, expected {} to {}.\n", c.what, c.order(), shortest(c.lowest),
-                        shortest(c.highest));
-  }
-  return text;
-}
-
 List<const ValidationCase*> chosen_cases(const Words& words) {
   List<const ValidationCase*> chosen;
   const List<std::string> only = words.texts("only");
@@ -250,13 +158,14 @@ int run_validate(const Words& words, Console& console) {
   }
   bar.clear();
   if (words.has("json")) fmt::print("{}\n", json.dump(1));
-  const Summary sum = summary_of(outcomes);
-  if (const std::optional<std::string> path = words.text("page")) write_whole_file(*path, page(outcomes));
+  const ValidationSummary sum = summary_of(outcomes);
+  if (const std::optional<std::string> path = words.text("page"))
+    write_whole_file(*path, validation_page(outcomes));
   const Color color = sum.passed == sum.cases ? Color::good : Color::bad;
   if (words.has("json")) {
-    console.narrate(summary_text(sum), color);
+    console.narrate(sum.text(), color);
   } else {
-    console.result(console.colored(summary_text(sum), color));
+    console.result(console.colored(sum.text(), color));
   }
   return sum.passed == sum.cases ? all_well : check_failed;
 }

@@ -35,7 +35,7 @@ inline NamedList<StabilizationPolicy> named_values(StabilizationPolicy) {
       {none, "none", "errors in positions stay, and grow by the error of integration"},
       {baumgarte, "baumgarte", "velocities carry a share of the error for every step, and keep that speed"},
       {relaxed, "relaxed",
-       "as baumgarte; of joints a second solve takes the speed out again, and they follow their arcs"},
+       "as baumgarte; a second solve takes the speed out again, and joints follow their arcs"},
       {soft, "soft", "stiff springs in the rows; a second solve takes their speed out again"},
       {split_impulse, "split-impulse", "velocities of their own move the bodies once, and are forgotten"}};
 }

@@ -22,10 +22,10 @@ using sandbox::Words;
 const std::set<std::string> quick_verbs = {"list",    "explain", "completion", "run",
                                            "compare", "inspect", "freeze"};
 /// Pictures and films are slow, and so is the whole frozen set.
-const std::set<std::string> quick_flags = {"solver", "solvers", "sweeps",        "substeps", "frequency",
-                                           "dt",     "scalar",  "stabilization", "cold",     "seconds",
-                                           "csv",    "json",    "quiet",         "plain",    "color",
-                                           "step",   "rows",    "out",           "list",     "progress"};
+const std::set<std::string> quick_flags = {
+    "solver",        "solvers", "sweeps",  "substeps", "frequency", "dt",       "scalar",
+    "stabilization", "cold",    "seconds", "csv",      "json",      "quiet",    "plain",
+    "color",         "step",    "rows",    "out",      "list",      "progress", "tolerance"};
 
 List<std::string> divided(const std::string& bytes) {
   List<std::string> words(1);

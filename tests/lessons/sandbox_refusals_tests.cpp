@@ -20,10 +20,13 @@ bool lists_box2d() { return text_has(run_cairn({"list", "solvers"}).out, "  box2
 TEST_CASE("a flag that means nothing to any of the solvers is refused") {
   using Flags = List<std::string>;
   List<Flags> idle = {{"inspect", "stack", "--solver", "reference", "--sweeps", "10"},
-                      {"run", "stack", "--solver", "reference", "--cold"}};
+                      {"run", "stack", "--solver", "reference", "--cold"},
+                      {"run", "stack", "--solver", "reference", "--tolerance", "1e-6"}};
   const bool has_box2d = lists_box2d();
-  for (const Flags& flag :
-       List<Flags>{{"--stabilization", "soft"}, {"--contact-search", "when-moved"}, {"--scalar", "double"}}) {
+  for (const Flags& flag : List<Flags>{{"--stabilization", "soft"},
+                                       {"--contact-search", "when-moved"},
+                                       {"--scalar", "double"},
+                                       {"--tolerance", "1e-6"}}) {
     if (!has_box2d) break;
     idle.push_back({"run", "stack", "--solver", "box2d", flag[0], flag[1]});
     idle.push_back({"compare", "stack", "--solvers", "box2d:4,box2d:8", flag[0], flag[1]});

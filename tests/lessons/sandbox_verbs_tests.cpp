@@ -79,10 +79,10 @@ TEST_CASE("cairn run holds a run against what is expected, and says so by its ex
 }
 
 TEST_CASE("cairn run takes every part of the setting from its flags") {
-  const nlohmann::json run =
-      cairn_json({"run", "stack", "--solver", "wide", "--sweeps", "7", "--substeps", "3", "--frequency",
-                  "120", "--scalar", "float", "--stabilization", "soft", "--seconds", "0.1s", "--cold"});
-  CHECK(run["setting"] == "wide x7, 120 Hz x3, soft, float, cold");
+  const nlohmann::json run = cairn_json({"run", "stack", "--solver", "wide", "--sweeps", "7", "--substeps",
+                                         "3", "--frequency", "120", "--scalar", "float", "--stabilization",
+                                         "soft", "--seconds", "0.1s", "--cold", "--tolerance", "1e-3"});
+  CHECK(run["setting"] == "wide x7 to 0.001, 120 Hz x3, soft, float, cold");
   CHECK(run["steps"] == 12);
   CHECK(run["dt_s"] == 1.0 / 120);
   CHECK(cairn_json({"run", "stack", "--dt", "1/100", "--seconds", "0.1s"})["steps"] == 10);
@@ -110,6 +110,7 @@ TEST_CASE("what the verbs cannot understand they refuse with a hint, before any 
       {{"run", "stack", "--sweeps", "1000001"}, "from 0 to 1000000, got 1000001"},
       {{"freeze", "stack", "--sweeps", "1000001"}, "from 0 to 1000000, got 1000001"},
       {{"run", "stack", "--substeps", "1000001"}, "from 1 to 1000000, got 1000001"},
+      {{"run", "stack", "--tolerance", "-1"}, "--tolerance must be a number from 0 to 1, got -1"},
       {{"run", "stack", "--dt", "0"}, "--dt must be a time above 0"},
       {{"run", "stack", "--dt", "1/60", "--frequency", "60"}, "give one of them"},
       {{"run", "stack", "--scalar", "doubel"}, "did you mean double?"},

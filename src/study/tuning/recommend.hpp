@@ -39,7 +39,7 @@ const List<RecommendKind>& recommend_kinds();
 const RecommendKind& recommend_kind(const std::string& name);
 
 /// What is tried for every kind: sequential impulses as they are used to, with more sweeps, with substeps and
-/// under each policy; contact blocks; momentum; and Newton's method.
+/// under each policy; contact blocks; momentum; lanes as the default has them; and Newton's method.
 const List<Setting>& recommend_settings();
 /// Of them: Newton's method until R_E is at most 1e-9.
 Setting newton_setting(int substeps);

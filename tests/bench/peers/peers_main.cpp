@@ -47,8 +47,8 @@ int compare(List<std::string> words) {
   fmt::print(
       "Processor times of one thread, medians of at most {} runs in turn; at most {} steps of 1/60 s, of\n"
       "which the first tenth warms up. A ratio is \"noisy\" where its quartiles are more than {:.0f} %\n"
-      "apart. Sleeping and continuous collision are off. Chipmunk says itself whether its assertions are\n"
-      "on.\n",
+      "apart. Sleeping and continuous collision are off. Chipmunk is timed as it is installed: Debian's has\n"
+      "its assertions on, which slow it, and says so here:\n",
       length.repetitions, length.steps, 100 * largest_noise);
   if (!adapters_agree()) return 1;
   print_equal_work(scenes, length);
