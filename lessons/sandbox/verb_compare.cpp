@@ -8,7 +8,7 @@
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {

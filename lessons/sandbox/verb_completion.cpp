@@ -6,7 +6,7 @@
 
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 
 namespace cairn::sandbox {

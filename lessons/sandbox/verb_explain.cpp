@@ -8,7 +8,7 @@
 
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/scene_words.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/scenes/solver_list.hpp>
 #include <cairn/world/world.hpp>

@@ -8,7 +8,7 @@
 #include "lessons/kit/records.hpp"
 #include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/study_words.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/math/nearest.hpp>
 #include <cairn/study/trade_row.hpp>

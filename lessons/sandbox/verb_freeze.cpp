@@ -8,7 +8,7 @@
 
 #include <cairn/study/frozen/frozen_set.hpp>
 #include "lessons/sandbox/scene_words.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/scenes/solver_list.hpp>
 

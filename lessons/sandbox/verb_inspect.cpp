@@ -9,7 +9,7 @@
 #include "lessons/sandbox/scene_film.hpp"
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/step_view.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/scenes/default_setting.hpp>
 #include <cairn/solvers/system_matrix.hpp>

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/sandbox/study_words.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/measure/whole_file.hpp>
 #include <cairn/study/tuning/recommend.hpp>

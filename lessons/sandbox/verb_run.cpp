@@ -12,7 +12,7 @@
 #include "lessons/sandbox/reports.hpp"
 #include "lessons/sandbox/run_table.hpp"
 #include "lessons/sandbox/scene_words.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/measure/whole_file.hpp>
 

@@ -11,7 +11,7 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/reports.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/study/trade_row.hpp>
 #include <cairn/study/trajectory_study.hpp>

@@ -8,7 +8,7 @@
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include "lessons/sandbox/validation_page.hpp"
-#include "lessons/sandbox/verbs.hpp"
+#include "lessons/sandbox/verb.hpp"
 #include <cairn/math/check.hpp>
 #include <cairn/math/list.hpp>
 #include <cairn/measure/whole_file.hpp>

@@ -52,8 +52,7 @@ class Constraint {
  public:
   virtual ~Constraint() = default;
 
-  /// What it is called, as in scene files: "rod", "rope", "spring", "revolute", "prismatic", "weld",
-  /// "pulley", "gear", "differential", "drag", "friction".
+  /// What it is called, as in scene files: "revolute".
   virtual std::string name() const = 0;
 
   /// That of its kind.

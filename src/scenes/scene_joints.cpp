@@ -1,6 +1,5 @@
-// Floor 8. Joints from a scene file.
+// Floor 8. Joints from a scene file, and the kinds of their tables.
 #include <algorithm>
-#include <map>
 
 #include <cairn/constraints/differential_joint.hpp>
 #include <cairn/constraints/drag_joint.hpp>
@@ -22,6 +21,8 @@ Vec2<double> center_of(const SceneBuilder& builder, BodyId body) {
 /// than half a metre.
 double enough_margin(const SceneBuilder& builder) { return std::max(1.0, builder.length()) / 2; }
 
+}  // namespace
+
 /// What a table says of a joint of the body `b`, `a` being known.
 struct ScenePair {
   SceneBuilder& builder;
@@ -38,6 +39,8 @@ struct ScenePair {
     builder.join<Joint>(table, name, spec, value_of<JointCollision>(table.get<std::string>("collide")));
   }
 };
+
+namespace {
 
 void join_distance(const ScenePair& pair) {
   const SceneTable& table = pair.table;
@@ -102,43 +105,45 @@ void join_friction(const ScenePair& pair) {
   pair.join<FrictionJoint>(spec);
 }
 
-void join_pulley(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  PulleyJoint::Spec spec{.slack_margin = enough_margin(builder)};
-  for (const SceneTable& table_of_end : table.tables("ends")) {
-    PulleyJoint::End end{.body = builder.names().body(table_of_end, "body"),
-                         .carrier = builder.names().body(table_of_end, "carrier")};
+void join_pulley(const ScenePair& rope) {
+  const SceneNames& names = rope.builder.names();
+  PulleyJoint::Spec spec{.slack_margin = enough_margin(rope.builder)};
+  for (const SceneTable& table_of_end : rope.table.tables("ends")) {
+    PulleyJoint::End end{.body = names.body(table_of_end, "body"),
+                         .carrier = names.body(table_of_end, "carrier")};
     table_of_end.read(end);
     if (end.carrier == end.body) {
-      table_of_end.refuse("carrier", "another body than the end's", builder.names().of_bodies()[end.body]);
+      table_of_end.refuse("carrier", "another body than the end's", names.of_bodies()[end.body]);
     }
     if (end.kind == PulleyJoint::Roller::drum && end.carrier == ground) {
       table_of_end.refuse("carrier", "a body that can turn for a drum", "ground");
     }
     spec.ends.push_back(end);
   }
-  table.read(spec);
-  builder.join<PulleyJoint>(table, name, spec, value_of<JointCollision>(table.get<std::string>("collide")));
+  rope.table.read(spec);
+  rope.join<PulleyJoint>(spec);
 }
-
-using ScenePairJoiner = void (*)(const ScenePair&);
 
 /// `name`: of the joint, or the beginning of the names of many.
 void join_from(SceneBuilder& builder, const SceneTable& table, const std::string& name) {
-  static const std::map<std::string, ScenePairJoiner> joiners = {
-      {"rod", join_distance},      {"rope", join_distance}, {"spring", join_distance},
-      {"revolute", join_revolute}, {"weld", join_weld},     {"prismatic", join_prismatic},
-      {"gear", join_gear},         {"drag", join_drag},     {"differential", join_differential},
-      {"friction", join_friction}};
   if (table.has("damping_ratio") && !table.has("frequency"))
     table.refuse("damping_ratio", "left out, or else given beside a frequency");
-  if (table.kind() == "pulley") return join_pulley(builder, table, name);
-  const BodyId a = table.kind() == "drag" ? ground : builder.names().body(table, "a");
+  const SceneTableKind& kind = scene_table_kind(table.kind());
+  if (kind.name == "pulley") return kind.join({.builder = builder, .table = table, .name = name});
+  const BodyId a = kind.name == "drag" ? ground : builder.names().body(table, "a");
   const bool is_row = table.get<std::string>("b").ends_with(".*");
   int count = 0;
   for (const BodyId b : builder.names().bodies(table, "b")) {
     const std::string number = is_row ? "." + std::to_string(++count) : "";
-    joiners.at(table.kind())({.builder = builder, .table = table, .name = name + number, .a = a, .b = b});
+    kind.join({.builder = builder, .table = table, .name = name + number, .a = a, .b = b});
   }
+}
+
+/// The kind of table of a [[joint]] of this type, which has the keys of every joint and those of the groups.
+SceneTableKind of_type(const std::string& name, List<std::string> groups, const std::string& meaning,
+                       void (*join)(const ScenePair&)) {
+  groups.insert(groups.begin(), "joint");
+  return {name, "type = \"" + name + "\"", groups, meaning, nullptr, join};
 }
 
 /// The kind of a joint's table is its type, which has to be looked at first.
@@ -150,6 +155,31 @@ std::string joint_kind(const SceneContext& context, const SceneValue& value, con
 }
 
 }  // namespace
+
+List<SceneTableKind> scene_joint_kinds() {
+  return {
+      {"bob", "[chain.bob]", {"bob", "matter"}, "Named chain.bob."},
+      {"joint", "[[joint]]", {"joint"}, "Every joint has these."},
+      of_type("rod", {"pair", "distance", "give"}, "A massless rod.", join_distance),
+      of_type("rope", {"pair", "distance", "slack", "soft", "give"}, "A massless rope.", join_distance),
+      of_type("spring", {"pair", "distance", "soft"}, "A spring that pulls and pushes.", join_distance),
+      of_type("revolute", {"pair", "anchor", "revolute", "give"}, "A pin through two bodies.", join_revolute),
+      of_type("prismatic", {"pair", "anchor", "prismatic", "give"}, "A slide along a line.", join_prismatic),
+      of_type("weld", {"pair", "anchor", "give"}, "Two bodies as one.", join_weld),
+      of_type("pulley", {"pulley", "slack", "give"}, "One rope over rollers.", join_pulley),
+      of_type("gear", {"pair", "gear", "give"}, "Two wheels that roll on each other.", join_gear),
+      of_type("differential", {"differential", "give"}, "a and b turn about their mean.", join_differential),
+      of_type("drag", {"drag", "soft"}, "A soft pull to a fixed point, as of a hand.", join_drag),
+      of_type("friction", {"pair", "anchor", "friction"}, "A table seen from above.", join_friction),
+      {"motor", "motor = {...}", {"motor"}, "Of a revolute joint."},
+      {"linear_motor", "motor = {...}", {"linear_motor"}, "Of a prismatic joint."},
+      {"softness",
+       "softness = {...}",
+       {"softness"},
+       "frequency and damping_ratio, or stiffness and damping."},
+      {"end", "ends = [{...}]", {"end"}, "One end of the rope of a pulley."},
+  };
+}
 
 std::optional<Softness> softness_of(const SceneTable& table) {
   for (const SceneTable& soft : table.tables("softness")) {

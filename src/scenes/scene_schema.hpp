@@ -61,6 +61,7 @@ struct SceneKey {
 };
 
 class SceneBuilder;
+struct ScenePair;
 
 /// A kind of table: its keys are those of its groups.
 struct SceneTableKind {
@@ -68,8 +69,10 @@ struct SceneTableKind {
   std::string heading = {};  // "[[body]]"; left out: by the name, as the kinds beside it
   List<std::string> groups = {};
   std::string meaning = {};
-  /// Adds what such a table says, where it stands for many bodies; `name` is that of the whole.
+  /// Adds what such a table says, where it stands for many bodies; `name` is that of the whole. Or, of a type
+  /// of [[joint]], makes one.
   void (*build)(SceneBuilder& builder, const SceneTable& table, const std::string& name) = nullptr;
+  void (*join)(const ScenePair& pair) = nullptr;
 };
 
 const List<SceneKey>& scene_keys();
@@ -91,7 +94,8 @@ bool in_range(const SceneKey& key, double value);
 /// All kinds and keys as tables: the end of lessons/scenes/README.md, from "## Every table" on.
 std::string scene_schema_page();
 
-// The parts of scene_keys().
+// A part of scene_table_kinds(), and the parts of scene_keys().
+List<SceneTableKind> scene_joint_kinds();
 List<SceneKey> scene_top_keys();
 List<SceneKey> scene_step_keys();
 List<SceneKey> scene_recommended_keys();

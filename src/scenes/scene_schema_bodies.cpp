@@ -1,4 +1,4 @@
-// Floor 8. Keys of bodies and shapes, and the kinds of tables.
+// Floor 8. Keys of bodies and shapes, and the kinds of tables that are no joints.
 #include <cairn/math/list.hpp>
 #include <cairn/scenes/scene_builder.hpp>
 #include <cairn/scenes/scene_field.hpp>
@@ -45,35 +45,6 @@ List<SceneTableKind> scene_repeat_kinds() {
   for (SceneTableKind& kind : kinds) {
     kind.groups.insert(kind.groups.begin(), {"repeat", kind.name});
     kind.groups.push_back("matter");
-  }
-  return kinds;
-}
-
-List<SceneTableKind> scene_joint_kinds() {
-  List<SceneTableKind> kinds = {
-      {"bob", "[chain.bob]", {"bob", "matter"}, "Named chain.bob."},
-      {"joint", "[[joint]]", {"joint"}, "Every joint has these."},
-      {"rod", "", {"joint", "pair", "distance", "give"}, "A massless rod."},
-      {"rope", "", {"joint", "pair", "distance", "slack", "soft", "give"}, "A massless rope."},
-      {"spring", "", {"joint", "pair", "distance", "soft"}, "A spring that pulls and pushes."},
-      {"revolute", "", {"joint", "pair", "anchor", "revolute", "give"}, "A pin through two bodies."},
-      {"prismatic", "", {"joint", "pair", "anchor", "prismatic", "give"}, "A slide along a line."},
-      {"weld", "", {"joint", "pair", "anchor", "give"}, "Two bodies as one."},
-      {"pulley", "", {"joint", "pulley", "slack", "give"}, "One rope over rollers."},
-      {"gear", "", {"joint", "pair", "gear", "give"}, "Two wheels that roll on each other."},
-      {"differential", "", {"joint", "differential", "give"}, "a and b turn about their mean."},
-      {"drag", "", {"joint", "drag", "soft"}, "A soft pull to a fixed point, as of a hand."},
-      {"friction", "", {"joint", "pair", "anchor", "friction"}, "A table seen from above."},
-      {"motor", "motor = {...}", {"motor"}, "Of a revolute joint."},
-      {"linear_motor", "motor = {...}", {"linear_motor"}, "Of a prismatic joint."},
-      {"softness",
-       "softness = {...}",
-       {"softness"},
-       "frequency and damping_ratio, or stiffness and damping."},
-      {"end", "ends = [{...}]", {"end"}, "One end of the rope of a pulley."},
-  };
-  for (SceneTableKind& kind : kinds) {
-    if (kind.heading.empty()) kind.heading = "type = \"" + kind.name + "\"";
   }
   return kinds;
 }

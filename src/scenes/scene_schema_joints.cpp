@@ -9,11 +9,11 @@ namespace cairn {
 
 List<SceneKey> scene_pair_keys() {
   using enum SceneType;
+  List<std::string> types;
+  for (const SceneTableKind& kind : scene_joint_kinds())
+    if (kind.join != nullptr) types.push_back(kind.name);
   return {
-      {"joint", "type",
-       one_of({"rod", "rope", "spring", "revolute", "prismatic", "weld", "pulley", "gear", "differential",
-               "drag", "friction"}),
-       "", "", "what joins the bodies", "required"},
+      {"joint", "type", one_of(types), "", "", "what joins the bodies", "required"},
       {"joint", "name", text, "", "", "letters, digits, _ and -", "Joint.1, joint.2, ..."},
       {"joint", "collide", field_of(JointCollision::as_usual), "", "",
        "whether its bodies may touch. As usual: only those of a pulley, drag or friction joint"},

@@ -184,6 +184,10 @@ List<ConstraintUnderTest<Real>> constraints_of_two(const PerBody<Pose<double>>& 
        joint_rows<PrismaticJoint, Real>(
            {.a = a, .b = b, .anchor = near_a, .axis = axis, .lower = -0.1, .upper = 0.3, .limit_margin = far},
            start)},
+      {"slide on the ground",
+       joint_rows<PrismaticJoint, Real>(
+           {.b = b, .anchor = near_b, .axis = axis, .lower = -0.1, .upper = 0.3, .limit_margin = far}, start),
+       false},
       {"contact of discs", contact_rows<Real>(circle(0.3, offset_a), circle(0.5, {0.3, 0.1}))},
       {"contact of a disc and a box", contact_rows<Real>(circle(0.3, offset_a), box(40, 1))},
   };

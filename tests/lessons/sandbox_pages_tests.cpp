@@ -48,6 +48,18 @@ TEST_CASE("every verb of the program cairn has a page that the index leads to, a
   }
 }
 
+TEST_CASE("every verb explains itself with an example") {
+  for (const std::string& verb : known_verbs()) {
+    CAPTURE(verb);
+    const Ran help = run_cairn({verb, "--help"});
+    CHECK(help.code == 0);
+    CHECK(help.err.empty());
+    CHECK(help.out.rfind("cairn " + verb, 0) == 0);
+    CHECK(text_has(help.out, "--json"));
+    CHECK(text_has(help.out, "For example\n  cairn " + verb));
+  }
+}
+
 TEST_CASE("every flag that a page of a verb names is known to some verb") {
   std::set<std::string> flags;
   const std::regex flag("--[a-z][a-z-]*");

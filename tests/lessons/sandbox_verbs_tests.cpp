@@ -236,14 +236,6 @@ TEST_CASE("the completion script knows every verb, flag, scene and solver, and b
   CHECK(folder.text("answer") == "wrecking-ball\naccelerated\n");
 }
 
-TEST_CASE("every one of these verbs explains itself with an example") {
-  for (const char* name : {"list", "run", "explain", "compare", "inspect", "completion"}) {
-    const Ran ran = run_cairn({name, "--help"});
-    CHECK(ran.code == 0);
-    CHECK(text_has(ran.out, std::string("For example\n  cairn ") + name));
-  }
-}
-
 TEST_CASE("the bar of tune ends where the search does") {
   const Ran ran = run_cairn({"tune", "stack", "--penetration", "20mm", "--starts", "1", "--seconds", "0.1s",
                              "--progress", "always"});
