@@ -153,7 +153,7 @@ class Film {
                                     run.setting.substeps == 1 ? "" : "s"),
                         caption(false));
     page_.canvas().text({rect.x, base + 30}, errors_of(all, run),
-                        caption(!run.missed.empty() || !run.result.failures.empty()));
+                        caption(!run.judgement.meets()));
   }
 
   render::Page page_;
