@@ -150,7 +150,6 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
     if (words.has("quick")) scenes.back().starts = std::min(scenes.back().starts, 2);
   }
   const TrajectoryScene& first = scenes.front();
-  if (scenes.size() == 1) require_runnable(words, first, grid);
   const bool is_asked = !first.wish.is_empty();
   const ErrorColumn& error = error_of(words, trajectory_errors(),
                                       first.watch ? "formula"
@@ -162,6 +161,7 @@ TradeStudy trajectory_trade(const Words& words, const List<std::string>& names) 
   if (error.word == "expect" && !is_asked)
     words.refuse("error", "another, as this scene expects nothing ([expect])", error.word);
   const bool by_time = words.word("work", "time", {"updates", "time"}) == "time";
+  if (scenes.size() == 1) require_runnable(words, first, grid);
   return {.study = trajectory_study(scenes, grid),
           .level = 2,
           .name = names.size() == 1 ? first.name : "level2",
