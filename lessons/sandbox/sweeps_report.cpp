@@ -15,12 +15,13 @@
 namespace cairn::sandbox {
 namespace {
 
-/// The runs of a scene, in the order of their sweeps; of one that failed there is no point.
+/// The runs of a scene, in the order of their sweeps, that have a place on a logarithmic axis: none that
+/// failed, and none with an error of 0.
 List<TradePoint> runs_of(const CsvTable& table, const std::string& scene, const std::string& error) {
   List<TradePoint> points;
   for (int row = 0; row < table.rows.size(); ++row) {
-    const bool is_good = is_point(text_in(table, row, "status"));
-    if (text_in(table, row, "scene") != scene || !is_good) continue;
+    const bool is_drawn = is_point(text_in(table, row, "status")) && number_in(table, row, error) > 0;
+    if (text_in(table, row, "scene") != scene || !is_drawn) continue;
     points.push_back({.solver = scene,
                       .setting = text_in(table, row, "setting"),
                       .work = number_in(table, row, "sweeps"),
@@ -61,9 +62,14 @@ int report_sweeps(const Words& words, const TradeStudy& trade, const CsvTable& t
     fmt::print("{}", json_of(table));
   else
     print_sweeps(trade, table, console);
-  render::write_png(folder / "sweeps.png", draw_trade_chart(chart, theme_of(words)));
-  console.narrate("written: " + (folder / "sweeps.csv").string() + ", .json, .png");
-  return chart.points.size() == table.rows.size() ? all_well : check_failed;
+  if (!chart.points.empty())
+    render::write_png(folder / "sweeps.png", draw_trade_chart(chart, theme_of(words)));
+  console.narrate("written: " + (folder / "sweeps.csv").string() +
+                  (chart.points.empty() ? ", .json" : ", .json, .png"));
+  bool all_good = true;
+  for (int row = 0; row < table.rows.size(); ++row)
+    all_good = all_good && is_point(text_in(table, row, "status"));
+  return all_good ? all_well : check_failed;
 }
 
 }  // namespace cairn::sandbox

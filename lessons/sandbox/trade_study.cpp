@@ -203,7 +203,7 @@ TradeStudy sweeps_trade(const Words& words) {
   if (error.word == "formula") words.refuse("error", "another, beside several scenes", error.word);
   trade.study = trajectory_study(scenes, grid);
   trade.title = fmt::format("1 to 64 sweeps of {}, 60 Hz in 4 substeps", grid.solvers.front());
-  trade.note = "Every run is drawn. Where a curve rises, more work has made it worse.";
+  trade.note = "Every run that does not fail is drawn. Where a curve rises, more work has made it worse.";
   trade.error = error.column;
   trade.error_name = error.axis;
   trade.work_axis = left_is_better("sweeps of a substep");

@@ -24,7 +24,8 @@ struct SolverEntry {
   /// How many updates of each row one of its iterations counts for, where work is counted: a linear system
   /// for as many as the sweeps of SequentialImpulse that take as long, between 5 in a stack and 40 in a grid.
   int updates_a_row = 1;
-  /// What a sweep costs, or a solve without sweeps: in sweeps of sequential impulses. Only orders searches.
+  /// What a sweep costs, or a solve without sweeps: in sweeps of sequential impulses. The one price by which
+  /// the work of different solvers is compared; study/tuning/sweep_price.hpp measures it.
   double work_of_a_sweep = 1;
   int most_tried_sweeps = 256;  // by a tuner
   bool tuned = false;           // whether a tuner tries it if nobody says which

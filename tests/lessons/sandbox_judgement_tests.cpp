@@ -93,3 +93,32 @@ TEST_CASE("a run that is right exits with 0, whatever its sizes, speeds and dire
   // Ten boxes of 50 m on each other, where everything falls a hundred times as fast.
   CHECK(code_of("seconds = 5\ngravity = [0, -1000]\n[ground]\n[[stack]]\nn = 10\nbox = [50, 50]\n") == 0);
 }
+
+TEST_CASE("tune takes what the scene expects as its wish, and keeps within a budget") {
+  const Ran wished = run_cairn({"tune", "stack", "--solvers", "si", "--starts", "1", "--seconds", "0.2s"});
+  CHECK(wished.code == 0);
+  CHECK(
+      text_has(wished.out, "stack: penetration at most 10 mm, energy gain at most 0.1 %, stands 0.2 s, for"));
+  const nlohmann::json within = cairn_json({"tune", "stack", "--solvers", "si", "--starts", "1", "--seconds",
+                                            "0.2s", "--budget", "100ms", "--time", "2s"});
+  CHECK(within["best"]["frame_s"].get<double>() <= 0.1);
+  CHECK(within["best"]["share_of_limit"].get<double>() <= 1);
+}
+
+TEST_CASE("a run says of each thing that is asked what share of its limit it comes to") {
+  const nlohmann::json json = cairn_json({"run", "stack", "--solver", "si:20"});
+  REQUIRE(json["asked"].size() == 3);
+  CHECK(json["asked"][0]["what"] == "penetration");
+  CHECK(json["asked"][0]["share"].get<double>() ==
+        doctest::Approx(json["penetration_m"].get<double>() / 0.01).epsilon(1e-12));
+  CHECK(json["step_ms_slowest"].get<double>() >= json["step_ms_median"].get<double>());
+}
+
+TEST_CASE("of several scenes it is told what more sweeps buy in each") {
+  const ScratchFolder scratch;
+  const Ran ran = run_cairn({"tradeoff", "stack-ratio", "spring-row", "--out", scratch.path()});
+  CHECK(text_has(ran.out, "1 to 64 sweeps of si"));
+  for (const char* name : {"stack-ratio", "spring-row"}) CHECK(text_has(ran.out, std::string("\n  ") + name));
+  for (const char* ending : {"csv", "json", "png"})
+    CHECK_FALSE(scratch.text("sweeps." + std::string(ending)).empty());
+}
