@@ -101,8 +101,8 @@ void write_setting(render::Page& page, const Rect& cell, const MapRow& run, rend
   const double x = cell.x + cell.width / 2, y = cell.y + cell.height / 2;
   const std::string substeps = run.substeps > 1 ? fmt::format(" ×{}", run.substeps) : "";
   const std::string policy = run.policy == "relaxed"         ? ""
-                             : run.policy == "split impulse" ? " split"
-                             : run.policy == "baumgarte"     ? " Baumg."
+                             : run.policy == "split impulse" ? " S"
+                             : run.policy == "baumgarte"     ? " B"
                                                              : " " + run.policy;
   page.canvas().text({x, y - 3}, fmt::format("{} Hz{}", run.frequency, substeps), style);
   page.canvas().text({x, y + 12}, std::to_string(run.sweeps) + policy, style);
@@ -161,7 +161,8 @@ void draw_map_legend(render::Page& page, const List<MapPanel>& panels, double y)
   page.paragraph(
       {page.sizes().margin, y + 40}, page.canvas().width() - 2 * page.sizes().margin,
       "A cell names the setting that needs the least counted work for the error at its left: steps a second, "
-      "× substeps; below them sweeps (of newton: linear systems), and the policy where it is not relaxed. "
+      "× substeps; below them sweeps (of newton: linear systems), and the policy where it is not relaxed: "
+      "B Baumgarte, S split impulse, soft. "
       "None: every setting that was tried has a larger error, falls, gains energy, or takes too long. A "
       "title says which solver fills the most of its cells." +
           nowhere,
