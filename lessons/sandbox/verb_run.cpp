@@ -120,7 +120,7 @@ Verb run_verb() {
                        {{"csv", "FILE", "a row of numbers for every step; - is stdout"},
                         {"track", "LIST",
                          "the numbers of --csv and --plot: ball.vy, rod.force, ground:box.normal, "
-                         "energy; * is any name; run.md has them all",
+                         "energy; * is any name; track.md has them all",
                          true},
                         {"every", "STEPS", "a row of --csv for so many steps (1)"},
                         {"plot", "FILE", "what --track follows as a chart, .png or .svg"}})),
