@@ -12,7 +12,8 @@ double kinetic_energy(const Snapshot& snapshot);
 double kinetic_energy(const SnapshotBody& body);
 
 /// -sum m s g . x + sum k C^2 / 2 [J] with the gravity scale s of each body and the springs of joints: 0 with
-/// all centres of mass at the origin and all springs at rest.
+/// all centres of mass at the origin and all springs at rest. Attractions and the water that bodies displace
+/// have theirs.
 double potential_energy(const Snapshot& snapshot);
 
 /// Kinetic and potential [J].

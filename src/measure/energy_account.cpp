@@ -16,6 +16,14 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 double motor_power(double speed, double force) { return speed == 0 ? 0 : std::abs(speed) * force; }
 
+/// The root of the energy [J] that a force gives in a second at most: a body that has E goes, where it pulls,
+/// no faster than sqrt(2 E (1/m + r^2/I)), so that dE/dt <= F sqrt(2 E (...)).
+double force_growth(const SceneBody& body, const ApplyForce& pull) {
+  const double turning = body.inertia > 0 ? 1 / body.inertia : 0;
+  return pull.force.norm() * std::sqrt((1 / body.mass + pull.point.squaredNorm() * turning) / 2) +
+         std::abs(pull.torque) * std::sqrt(turning / 2);
+}
+
 /// [m/s] Of the fastest point of a body that moves by itself; 0 of any other.
 double own_speed(const BodySpec& spec) {
   const double of_surface = std::abs(spec.material.surface_speed);
@@ -75,12 +83,20 @@ Drive::Drive(const Scene& scene) {
   for (const SceneBody& body : scene.bodies()) {
     poses.push_back(body.pose);
     speed_ = std::max(speed_, own_speed(body.spec));
+    if (body.mass > 0 && body.spec.damping.quadratic > 0)
+      speed_ = std::max(speed_, scene.settings().fields.wind.norm());
     mass_ += body.mass;
   }
   RowSpecs<double> rows;
   for (const std::shared_ptr<const Constraint>& joint : scene.joints()) joint->append_rows(poses, rows);
   for (const RowSpec<double>& row : rows) power_ += motor_power(row.speed, row.max_force.value_or(no_limit));
+  if (scene.settings().fields.water) speed_ = std::max(speed_, scene.settings().fields.water->flow.norm());
   for (const SceneEvent& event : scene.events()) {
+    if (const auto* path = std::get_if<FollowPath>(&event.action)) speed_ = std::max(speed_, path->speed);
+    if (const auto* pull = std::get_if<ApplyForce>(&event.action))
+      forces_.push_back({.growth = force_growth(scene.bodies()[pull->body], *pull),
+                         .begins = event.time,
+                         .ends = event.time + pull->seconds});
     const auto* const switched = std::get_if<SwitchMotor>(&event.action);
     if (switched != nullptr && switched->motor)
       power_ += motor_power(switched->motor->speed, switched->motor->max_force);
@@ -89,7 +105,9 @@ Drive::Drive(const Scene& scene) {
 
 double Drive::most_energy(double energy, double time, double steps) const {
   const double own = power_ > 0 ? energy + power_ * time : energy;
-  const double root = std::sqrt(own) + steps * speed_ * std::sqrt(2 * mass_);
+  double root = std::sqrt(own) + steps * speed_ * std::sqrt(2 * mass_);
+  for (const Force& force : forces_)
+    root += force.growth * std::max(0.0, std::min(time, force.ends) - force.begins);
   return root * root;
 }
 

@@ -41,16 +41,24 @@ class EnergyAccount {
 /// is as good as infinitely heavy: nothing leaves it faster than it came by more than twice its speed.
 class Drive {
  public:
-  /// Of its motors, those that events will switch on, its kinematic bodies and surfaces that run.
+  /// Of its motors, those that events will switch on, its kinematic bodies, surfaces that run, forces, wind and
+  /// flow.
   explicit Drive(const Scene& scene);
   /// [J] The most that the bodies can have after `time` [s] in `steps` steps, if they had `energy` [J]
   /// without what drives them; infinite with a motor whose force nothing bounds.
   double most_energy(double energy, double time, double steps) const;
 
  private:
+  struct Force {
+    double growth = 0;  // [sqrt(J) / s]
+    double begins = 0;  // [s]
+    double ends = 0;    // [s]
+  };
+
   double power_ = 0;  // [W] of all motors
   double speed_ = 0;  // [m/s] of any point of a body that moves by itself, and of any surface that runs
   double mass_ = 0;   // [kg] of all bodies that can be moved
+  List<Force> forces_;
 };
 
 }  // namespace cairn

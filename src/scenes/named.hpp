@@ -78,6 +78,10 @@ inline NamedList<PulleyJoint::Roller> named_values(PulleyJoint::Roller) {
 inline NamedList<GearJoint::Mesh> named_values(GearJoint::Mesh) {
   return {{GearJoint::Mesh::external, "external"}, {GearJoint::Mesh::internal, "internal"}};
 }
+inline NamedList<PathKind> named_values(PathKind) {
+  using enum PathKind;
+  return {{once, "once"}, {to_and_fro, "to-and-fro"}, {round, "round"}};
+}
 inline NamedList<FrictionShape> named_values(FrictionShape) {
   using enum FrictionShape;
   return {{circle, "circle"}, {square, "square"}, {aligned_square, "aligned-square"}};

@@ -92,6 +92,10 @@ inline std::string numbered(const std::string& name, int i) { return name + "." 
 void build_bodies(SceneBuilder& builder, const SceneTable& table, int number);
 /// `number`: which [[joint]] it is.
 void build_joint(SceneBuilder& builder, const SceneContext& context, const SceneValue& value, int number);
+/// `fields`, with what the tables of the file add to them.
+Fields fields_of(const SceneTable& file, Fields fields);
+/// Every [[force]] and [[path]] of the file, once all bodies are there.
+void build_acting(SceneBuilder& builder, const SceneTable& file);
 /// Every [[event]] of the file, once all bodies and joints are there.
 void build_events(SceneBuilder& builder, const SceneTable& file);
 /// Every [[expect.body]] of the file, once the events are known.

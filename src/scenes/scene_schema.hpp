@@ -104,6 +104,7 @@ List<SceneKey> scene_pair_keys();
 List<SceneKey> scene_motor_keys();
 List<SceneKey> scene_train_keys();
 List<SceneKey> scene_event_keys();
+List<SceneKey> scene_acting_keys();
 List<SceneKey> scene_block_keys();
 List<SceneKey> scene_hanging_keys();
 

@@ -3,6 +3,7 @@
 
 #include <cairn/math/nearest.hpp>
 #include <cairn/scenes/default_setting.hpp>
+#include <cairn/scenes/scene_builder.hpp>
 #include <cairn/scenes/solver_list.hpp>
 #include <cairn/math/list.hpp>
 
@@ -41,6 +42,7 @@ SceneSettings scene_settings_of(const SceneTable& file) {
   if (from_above && file.has("gravity")) file.refuse("gravity", "left out where view = \"top\"");
   SceneSettings settings;
   file.read(settings);
+  settings.fields = fields_of(file, settings.fields);
   if (from_above) settings.gravity = {0, 0};
   for (const SceneTable& step : file.tables("step")) {
     read_pace(step, settings);

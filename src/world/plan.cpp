@@ -53,6 +53,29 @@ SecondSolve second_solve(StabilizationPolicy policy, bool has_rows) {
   return policy == StabilizationPolicy::relaxed && has_rows ? SecondSolve::from_start : SecondSolve::none;
 }
 
+/// What Acting does for the scene.
+List<std::string> acting_on(const Scene& scene) {
+  const Fields& fields = scene.settings().fields;
+  int forces = 0, paths = 0, drags = 0;
+  for (const SceneEvent& event : scene.events()) {
+    forces += std::holds_alternative<ApplyForce>(event.action);
+    paths += std::holds_alternative<FollowPath>(event.action);
+  }
+  for (const SceneBody& body : scene.bodies())
+    drags += body.spec.type == BodyType::dynamic && body.spec.damping.quadratic > 0;
+  List<std::string> names;
+  const auto count = [&](int number, const char* of_one, const char* of_many) {
+    if (number > 0) names.push_back(fmt::format("{} {}", number, number == 1 ? of_one : of_many));
+  };
+  count(forces, "force", "forces");
+  count(fields.attractions.size(), "attraction", "attractions");
+  if (fields.gravitation != 0) names.push_back("gravitation between all bodies");
+  if (fields.water) names.push_back("water");
+  count(drags, "body with drag in the air", "bodies with drag in the air");
+  count(paths, "path", "paths");
+  return names;
+}
+
 }  // namespace
 
 Plan make_plan(const Scene& scene) {
@@ -81,6 +104,7 @@ Plan make_plan(const Scene& scene) {
       kinds.insert(shape_name(shape));
     }
   }
+  plan.acting = acting_on(scene);
   plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
   plan.friction = plan.collision && rubbing_bodies > 1;
   plan.restitution &= plan.collision;
@@ -119,6 +143,7 @@ std::string explain(const Plan& plan) {
   text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
   if (plan.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
+  if (!plan.acting.empty()) text += line("also", fmt::format("{}", fmt::join(plan.acting, ", ")));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
   text += line("rotation", plan.size.turning_bodies == plan.size.dynamic_bodies
                                ? std::string("every dynamic body turns")

@@ -57,6 +57,7 @@ void check_material(const BodySpec& spec, const char* place) {
   require_finite(spec.material.surface_speed, place, "surface_speed", "m/s");
   require_range(spec.damping.linear, 0, place, "linear_damping", "1/s");
   require_range(spec.damping.angular, 0, place, "angular_damping", "1/s");
+  require_range(spec.damping.quadratic, 0, place, "drag", "kg/m");
 }
 
 /// Makers of shapes refuse bad numbers; a shape written by hand has asked none of them.
@@ -126,8 +127,24 @@ void require_positive(double value, const char* field, const char* unit) {
           value);
 }
 
+void check_fields(const Fields& fields) {
+  require_finite(fields.wind, "Scene", "wind", "m/s");
+  require_range(fields.gravitation, 0, "Scene", "gravitation", "m^3/(kg s^2)");
+  for (const Attraction& star : fields.attractions) {
+    require_finite(star.point, "Scene", "attraction.point", "m");
+    require_finite(star.strength, "Scene", "attraction.strength", "m^3/s^2");
+    require_range(star.radius, 0, "Scene", "attraction.radius", "m");
+  }
+  if (!fields.water) return;
+  require_finite(fields.water->level, "Scene", "water.level", "m");
+  require_positive(fields.water->density, "water.density", "kg/m^2");
+  require_range(fields.water->drag, 0, "Scene", "water.drag", "1/s");
+  require_finite(fields.water->flow, "Scene", "water.flow", "m/s");
+}
+
 void check_settings(const SceneSettings& settings) {
   require_finite(settings.gravity, "Scene", "gravity", "m/s^2");
+  check_fields(settings.fields);
   require_time_step(settings.dt, "Scene");
   require(settings.substeps >= 1 && settings.substeps <= SceneSettings::most_substeps, "Scene", "substeps",
           "from 1 to " + std::to_string(SceneSettings::most_substeps), settings.substeps);

@@ -8,6 +8,7 @@
 #include <cairn/constraints/contact.hpp>
 #include <cairn/constraints/stabilization.hpp>
 #include <cairn/dynamics/body.hpp>
+#include <cairn/dynamics/fields.hpp>
 #include <cairn/geometry/shape.hpp>
 #include <cairn/math/list.hpp>
 #include <cairn/math/shared_list.hpp>
@@ -41,6 +42,7 @@ struct SceneSettings {
   static constexpr int most_substeps = 1'000'000;
 
   Vec2<double> gravity = {0, -10};   // [m/s^2]
+  Fields fields = {};                // wind, water and attractions
   double dt = 1.0 / 60;              // [s] one step
   int substeps = 1;                  // a step is so many steps of dt / substeps, each solved anew
   Stabilization stabilization = {};  // how errors in positions are taken back
@@ -76,6 +78,7 @@ struct Material {
 struct Damping {
   double linear = 0;   // [1/s]
   double angular = 0;  // [1/s]
+  double quadratic = 0;  // [kg/m] against the air, by this times the square of the speed: rho c_d A / 2
 
   /// Member by member.
   bool operator==(const Damping&) const = default;
@@ -159,7 +162,8 @@ class Scene {
   /// Something that is to happen while the scene runs: a world does it in its steps. It is forgotten where
   /// its body or joint is removed before.
   /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
-  /// for impulses on the ground and on what cannot move, and for a motor that change() refuses.
+  /// for impulses and forces on the ground and on what cannot move, for a path of a body that is not kinematic
+  /// or leads nowhere, and for a motor that change() refuses.
   void add(const SceneEvent& event);
   /// The same bodies and joints under other rules. @throws std::invalid_argument, and then changes nothing.
   void set_settings(const SceneSettings& settings);
@@ -191,7 +195,8 @@ class Scene {
   /// Takes a joint out. Its bodies may touch from now on, unless another joint keeps them apart.
   /// @throws std::invalid_argument for a joint that is not in the scene.
   void remove(JointId joint);
-  /// Does all events whose time has come by `until` [s], in their order. Whether there were any.
+  /// Does all events whose time has come by `until` [s], in their order. Whether there were any. What lasts
+  /// (lasting_action.hpp) stays among them.
   bool do_events(double until);
 
   /// What holds for the whole scene.
@@ -200,7 +205,7 @@ class Scene {
   const PerBody<SceneBody>& bodies() const { return *bodies_; }
   /// In the order in which they were added, with their ids, and who is kept apart by them.
   const SceneJoints& joints() const { return joints_; }
-  /// What is still to happen, by time; those of one time in the order in which they were added.
+  /// What is still to happen, or lasts, by time; those of one time in the order in which they were added.
   const List<SceneEvent>& events() const { return events_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include <cairn/constraints/constraint.hpp>
+#include <cairn/world/lasting_action.hpp>
 #include <cairn/world/scene_joints.hpp>
 
 namespace cairn {
@@ -34,9 +35,15 @@ struct SwitchMotor {
 };
 
 /// One of them.
-using SceneAction = std::variant<RemoveBody, RemoveJoint, PushBody, SwitchMotor>;
+using SceneAction = std::variant<RemoveBody, RemoveJoint, PushBody, SwitchMotor, ApplyForce, FollowPath>;
 
-/// An action and its time. It is done before the first step that begins at that time or later.
+/// Whether it is done for a while, and not at once.
+inline bool is_lasting(const SceneAction& action) {
+  return std::holds_alternative<ApplyForce>(action) || std::holds_alternative<FollowPath>(action);
+}
+
+/// An action and its time. It is done before the first step that begins at that time or later; one that lasts
+/// begins at that very time.
 struct SceneEvent {
   double time = 0;          // [s] since the world began
   SceneAction action = {};  // what is done

@@ -25,6 +25,8 @@ struct SceneActor {
   void operator()(const RemoveBody& action) const { scene.remove(action.body); }
   void operator()(const RemoveJoint& action) const { scene.remove(action.joint); }
   void operator()(const SwitchMotor& action) const { scene.change(action.joint, action.motor); }
+  void operator()(const ApplyForce&) const {}  // that of each substep: Acting
+  void operator()(const FollowPath&) const {}
   void operator()(const PushBody& action) const {
     const SceneBody& body = scene.bodies()[action.body];
     scene.place(action.body, body.pose, pushed(body, action));
@@ -42,6 +44,26 @@ void require_pushable(const Scene& scene, const PushBody& push) {
           push.impulse.norm());
 }
 
+void require_force(const Scene& scene, const ApplyForce& pull) {
+  const char* const who = "Scene::add";
+  require(scene.bodies()[pull.body].spec.type == BodyType::dynamic, who, "body", "a dynamic one",
+          pull.body.index);
+  require_finite(pull.force, who, "force", "N");
+  require_finite(pull.torque, who, "torque", "N m");
+  require_finite(pull.point, who, "point", "m");
+  require(pull.seconds > 0, who, "seconds", "> 0 s", pull.seconds);
+}
+
+void require_path(const Scene& scene, const FollowPath& path) {
+  const char* const who = "Scene::add";
+  require(scene.bodies()[path.body].spec.type == BodyType::kinematic, who, "body", "a kinematic one",
+          path.body.index);
+  require(path.points.size() >= 2, who, "points", "two or more", path.points.size());
+  for (const Vec2<double>& point : path.points) require_finite(point, who, "points", "m");
+  require(path.speed > 0 && std::isfinite(path.speed), who, "speed", "> 0 m/s and finite", path.speed);
+  require(path.length() > 0 && std::isfinite(path.length()), who, "points", "some way apart", path.length());
+}
+
 }  // namespace
 
 void Scene::add(const SceneEvent& event) {
@@ -54,6 +76,14 @@ void Scene::add(const SceneEvent& event) {
     require_changeable(*this, push->body, who);
     require_pushable(*this, *push);
   }
+  if (const auto* pull = std::get_if<ApplyForce>(&event.action)) {
+    require_changeable(*this, pull->body, who);
+    require_force(*this, *pull);
+  }
+  if (const auto* path = std::get_if<FollowPath>(&event.action)) {
+    require_changeable(*this, path->body, who);
+    require_path(*this, *path);
+  }
   // Refused now, and not when it is to be done:
   if (const auto* other = std::get_if<SwitchMotor>(&event.action))
     (void)with_motor(other->joint, other->motor, who);
@@ -63,13 +93,17 @@ void Scene::add(const SceneEvent& event) {
 
 bool Scene::do_events(double until) {
   bool any = false;
-  while (!events_.empty() && events_.front().time <= until) {
-    const SceneEvent event = events_.front();
-    events_.erase(events_.begin());
+  const auto due = [until](const SceneEvent& event) {
+    return event.time <= until && !is_lasting(event.action);
+  };
+  while (true) {
+    const auto next = std::find_if(events_.begin(), events_.end(), due);
+    if (next == events_.end()) return any;
+    const SceneEvent event = *next;
+    events_.erase(next);
     std::visit(SceneActor{*this}, event.action);
     any = true;
   }
-  return any;
 }
 
 /// Those of bodies and joints that are no longer there.

@@ -41,6 +41,20 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
           .shapes = body.spec.shapes};
 }
 
+List<SnapshotForce> forces_at(const Scene& scene, const PerBody<SnapshotBody>& bodies, double time) {
+  List<SnapshotForce> forces;
+  for (const SceneEvent& event : scene.events()) {
+    const auto* const pull = std::get_if<ApplyForce>(&event.action);
+    if (pull == nullptr || time < event.time || time >= event.time + pull->seconds) continue;
+    const Pose<double>& pose = bodies[pull->body].pose;
+    forces.push_back({.body = pull->body,
+                      .point = pose.world(pull->point),
+                      .force = pull->in_world(Rotation<double>(pose.angle)),
+                      .torque = pull->torque});
+  }
+  return forces;
+}
+
 template <Scalar Real>
 SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state) {
   const List<Attachment> places = joint.attachments();
@@ -67,11 +81,12 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
 
 Snapshot snapshot(const Scene& scene) {
   const SceneSettings& settings = scene.settings();
-  Snapshot result{.dt = settings.dt / settings.substeps, .gravity = settings.gravity};
+  Snapshot result{.dt = settings.dt / settings.substeps, .gravity = settings.gravity, .fields = settings.fields};
   result.apart = scene.joints().apart();
   const BodyState<double> state = state_of<double>(scene);
   for (const BodyId body : scene.bodies().indices())
     result.bodies.push_back(snapshot_body(scene.bodies()[body], state.pose[body], state.velocity[body]));
+  result.forces = forces_at(scene, result.bodies, 0);
   for (int i = 0; i < scene.joints().size(); ++i) {
     result.joints.push_back(snapshot_joint(*scene.joints()[i], state));
     result.joints.back().id = scene.joints().id(i);

@@ -17,6 +17,9 @@ Snapshot snapshot(const Scene& scene);
 /// A body of a scene as it is now: `pose` is that of its centre of mass, `velocity` in [m/s, m/s, rad/s].
 SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, const Vec3<double>& velocity);
 
+/// The forces from outside that act at `time` [s] on bodies that stand so.
+List<SnapshotForce> forces_at(const Scene& scene, const PerBody<SnapshotBody>& bodies, double time);
+
 /// A joint between bodies as they are now, without its impulse.
 template <Scalar Real>
 SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state);

@@ -73,7 +73,8 @@ Snapshot snapshot(const World<Real>& world) {
   Snapshot result{.time = world.clock().time,
                   .step = world.clock().steps,
                   .dt = world.clock().dt / scene.settings().substeps,
-                  .gravity = scene.settings().gravity};
+                  .gravity = scene.settings().gravity,
+                  .fields = scene.settings().fields};
   result.apart = scene.joints().apart();
   for (const BodyId body : scene.bodies().indices()) {
     const Pose<Real>& pose = world.bodies().pose[body];
@@ -82,6 +83,7 @@ Snapshot snapshot(const World<Real>& world) {
                                           world.bodies().velocity[body].template cast<double>()));
     result.bodies.back().awake = world.is_awake({body});
   }
+  result.forces = forces_at(scene, result.bodies, result.time);
   const int joints = scene.joints().size();
   for (int i = 0; i < joints + (world.hand().joint() ? 1 : 0); ++i) {
     SnapshotJoint joint =

@@ -7,6 +7,7 @@
 
 #include <cairn/constraints/joint_traits.hpp>
 #include <cairn/dynamics/body.hpp>
+#include <cairn/dynamics/fields.hpp>
 #include <cairn/geometry/shape.hpp>
 #include <cairn/math/list.hpp>
 #include <cairn/math/shared_list.hpp>
@@ -60,12 +61,22 @@ struct SnapshotJoint {
   double energy = 0;                // [J] that its springs hold
 };
 
+/// A force from outside, at work.
+struct SnapshotForce {
+  BodyId body = {};             // that it pulls at
+  Vec2<double> point = {0, 0};  // [m] world
+  Vec2<double> force = {0, 0};  // [N] world
+  double torque = 0;            // [N m]
+};
+
 /// A world at one instant.
 struct Snapshot {
   double time = 0;                             // [s]
   int step = 0;                                // how many were taken before
   double dt = 0;                               // [s] of the last substep: impulse / dt is the paper's lambda
   Vec2<double> gravity = {0, 0};               // [m/s^2]
+  Fields fields = {};                          // of the scene
+  List<SnapshotForce> forces = {};             // that act now, by their beginnings
   PerBody<SnapshotBody> bodies = {};           // index 0 is the ground
   List<SnapshotContact> contacts = {};         // ordered by the shapes that touch
   List<SnapshotJoint> joints = {};             // in the order of the scene

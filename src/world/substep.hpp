@@ -5,6 +5,7 @@
 
 #include <cairn/constraints/drag_joint.hpp>
 #include <cairn/dynamics/body.hpp>
+#include <cairn/world/acting.hpp>
 #include <cairn/world/body_kinds.hpp>
 #include <cairn/world/plan.hpp>
 #include <cairn/world/sleeping.hpp>
@@ -24,6 +25,8 @@ struct Substep {
   const BodyState<Real>& state;       // where these are, and how fast
   const DragJoint* hand = nullptr;    // null: it holds nothing
   SleepState<Real>* sleep = nullptr;  // null: nobody sleeps
+  const Acting<Real>* acting = nullptr;  // null: nothing else acts on bodies
+  SubstepTime when = {};                 // in the life of the world
   Real dt = 1;                        // [s] of the substep
   Real step_dt = 1;                   // [s] of the step
 
@@ -43,6 +46,7 @@ struct Substep {
   void add_forces(PerBody<Vec3<Real>>& velocity, Real time) const {
     if (plan.gravity)
       kinds.pull(velocity, state.inverse_mass, scene.settings().gravity.template cast<Real>(), time);
+    if (acting) acting->add(state, when, time, velocity);
     if (plan.damping) kinds.damp(velocity, state.inverse_mass, time);
     if (sleep) sleep->hold(velocity);
   }

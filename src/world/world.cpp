@@ -61,7 +61,7 @@ StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& w
   const Occupation::Scope scope(occupation_, "World::step");
   StepReport report;
   if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
-  if (plan_->settings.substeps > 1) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
+  if (may_leave_midway()) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
   try {
     for (int i = 0; i < plan_->settings.substeps && !report.not_finite; ++i)
       substep(i, solver, watch, report);
@@ -87,7 +87,7 @@ StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& w
 /// Of a step that is not done: bodies are where it began. What was found on the way is found again.
 template <Scalar Real>
 void World<Real>::leave_step() {
-  if (plan_->settings.substeps > 1) state_.pose = first_pose_, state_.velocity = first_velocity_;
+  if (may_leave_midway()) state_.pose = first_pose_, state_.velocity = first_velocity_;
   record_ = {};
 }
 
@@ -95,7 +95,8 @@ template <Scalar Real>
 void World<Real>::substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch,
                           StepReport& report) {
   Deadline::go_on();
-  const Substep<Real> step = now_asleep();
+  const Substep<Real> step = now_asleep(number);
+  if (acting_) follow(step.when);
   if (number == 0 || !plan_->moves_manifolds) {
     contacts_.find(step, record_);  // 1, 2  poses -> pairs -> contacts
   } else {
@@ -116,31 +117,50 @@ void World<Real>::substep(int number, Solver<Real>& solver, const StepWatch<Real
   if (watch.impulses) watch.impulses->add(record_);
 }
 
+/// Whether an exception may find bodies that are no longer as they were when the step began.
+template <Scalar Real>
+bool World<Real>::may_leave_midway() const {
+  return plan_->settings.substeps > 1 || acting_ != nullptr;
+}
+
+/// Bodies on paths go where these lead, and what forces begin to act on wakes.
+template <Scalar Real>
+void World<Real>::follow(SubstepTime time) {
+  acting_->lead(time, state_);
+  if (sleep_) acting_->find_changes(time, [this](BodyId body) { sleep_->wake(body); });
+}
+
 template <Scalar Real>
 VelocityProblem<Real> World<Real>::velocity_problem() const {
   World twin = *this;
   do_events(twin);
   const Substep<Real> step = twin.now_asleep();
+  if (twin.acting_) twin.follow(step.when);
   twin.contacts_.find(step, twin.record_);
   twin.solves_.write({step, twin.joints_, twin.contacts_, twin.record_});
   return twin.record_.problem;
 }
 
 template <Scalar Real>
-Substep<Real> World<Real>::now() const {
+Substep<Real> World<Real>::now(int number) const {
+  const double dt = clock_.dt / scene_->settings().substeps;
   return {.scene = *scene_,
           .plan = *plan_,
           .kinds = *kinds_,
           .state = state_,
           .hand = hand_.joint(),
-          .dt = static_cast<Real>(clock_.dt / scene_->settings().substeps),
+          .acting = acting_.get(),
+          .when = {.begin = clock_.time + number * dt,
+                   .length = dt,
+                   .is_first = clock_.steps == 0 && number == 0},
+          .dt = static_cast<Real>(dt),
           .step_dt = static_cast<Real>(clock_.dt)};
 }
 
 /// The same with who sleeps.
 template <Scalar Real>
-Substep<Real> World<Real>::now_asleep() {
-  Substep<Real> step = now();
+Substep<Real> World<Real>::now_asleep(int number) {
+  Substep<Real> step = now(number);
   if (sleep_) step.sleep = &*sleep_;
   return step;
 }

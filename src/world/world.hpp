@@ -109,9 +109,11 @@ class World {
   StepReport step(Solver<Real>& solver, const StepWatch<Real>& watch);
   StepReport take_step(Solver<Real>& solver, const StepWatch<Real>& watch);
   void leave_step();
+  bool may_leave_midway() const;
+  void follow(SubstepTime time);
   void substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch, StepReport& report);
-  Substep<Real> now() const;
-  Substep<Real> now_asleep();
+  Substep<Real> now(int number = 0) const;
+  Substep<Real> now_asleep(int number = 0);
   void carry_over(const World& before, const Scene& then);
   void carry_sleep(const World& before, const Scene& then);
 
@@ -119,6 +121,7 @@ class World {
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const BodyKinds<Real>> kinds_;
+  std::shared_ptr<const Acting<Real>> acting_;  // null: nothing else acts on bodies
   BodyState<Real> state_;
   ContactCache<Real> contacts_;
   JointWriter<Real> joints_;

@@ -38,9 +38,11 @@ List<int> numbers_now(const Scene& before, const Scene& now) {
 std::optional<double> due_time(const Scene& scene, const Clock& clock) {
   // A sum of n steps is off by fewer than n roundings of itself.
   const double until = clock.time * (1 + clock.steps * std::numeric_limits<double>::epsilon());
-  const List<SceneEvent>& events = scene.events();
-  if (events.empty() || events.front().time > until) return {};
-  return until;
+  for (const SceneEvent& event : scene.events()) {
+    if (event.time > until) break;
+    if (!is_lasting(event.action)) return until;
+  }
+  return {};
 }
 
 }  // namespace

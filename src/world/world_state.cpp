@@ -107,6 +107,7 @@ World<Real>::World(Scene scene)
     kinds->add(forces_on<Real>(spec), traits_of(spec, smallest, radius[id]));
   }
   kinds_ = kinds;
+  if (Acting<Real>::is_needed(*scene_)) acting_ = std::make_shared<const Acting<Real>>(*scene_);
   joints_ = JointWriter<Real>(scene_->joints().size(), std::move(radius));
   if (plan_->settings.sleeping) sleep_.emplace(*scene_);
 }
