@@ -75,6 +75,7 @@ void avoid_outlines(Page& page, const Camera& camera, const Snapshot& snapshot) 
 
 void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look) {
   page.canvas().push_clip(camera.viewport);
+  draw_fields(page, camera, snapshot);
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
     if (!can_move(body)) draw_static_body(page, camera, body, id);
     if (!can_move(body)) draw_belt(page, camera, body, id, snapshot.time);
@@ -88,6 +89,7 @@ void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, cons
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
     if (can_move(body)) write_name(page, camera, body, id, look);
   });
+  draw_outer_forces(page, camera, snapshot);
   avoid_outlines(page, camera, snapshot);
   if (look.penetration) draw_penetrations(page, camera, snapshot);
   if (look.contacts) draw_contacts(page, camera, snapshot, look);

@@ -54,6 +54,11 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
 void draw_belt(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, double time);
 void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, const WorldLook& look);
 
+/// What is seen behind everything: water, and points that attract.
+void draw_fields(Page& page, const Camera& camera, const Snapshot& snapshot);
+/// Forces from outside that act on bodies: the longest arrow is the largest of them.
+void draw_outer_forces(Page& page, const Camera& camera, const Snapshot& snapshot);
+
 /// What is seen behind the bodies: rods, and the arms of pins that are outside their body.
 void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot);
 /// What is seen upon them: where the joints are fastened.

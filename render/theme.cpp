@@ -61,6 +61,7 @@ Theme light_theme() {
   theme.velocity = rgb(0x1697D6);
   theme.external = rgb(0x7A7B7B);
   theme.penetration = rgb(0xF0E442);
+  theme.water = rgb(0xD9EAF5);
   theme.inactive = rgb(0x9AA3AE);
   theme.positive = rgb(0xB2182B);
   theme.negative = rgb(0x3F3D9A);
@@ -93,6 +94,7 @@ Theme dark_theme() {
   theme.velocity = rgb(0xA6C4EE);
   theme.external = rgb(0xA3A3A3);
   theme.penetration = rgb(0xF0E442);
+  theme.water = rgb(0x17303F);
   theme.inactive = rgb(0x7C8794);
   theme.positive = rgb(0xE05555);
   theme.negative = rgb(0x6A6AE0);
@@ -112,7 +114,7 @@ Theme without_hues(const Theme& theme) {
         &gray.static_body,    &gray.static_hatch, &gray.sleeping,   &gray.normal,      &gray.friction,
         &gray.joint,          &gray.velocity,     &gray.external,   &gray.penetration, &gray.inactive,
         &gray.positive,       &gray.negative,     &gray.pgs.color,  &gray.si.color,    &gray.box2d.color,
-        &gray.jacobi.color,   &gray.exact.color}) {
+        &gray.jacobi.color,   &gray.exact.color,  &gray.water}) {
     *color = gray_of(*color);
   }
   return gray;

@@ -24,6 +24,7 @@ struct Theme {
   Color static_body, static_hatch, sleeping;
   Color normal, friction, joint, velocity, external;  // arrows
   Color penetration, inactive;
+  Color water;
   Color positive, negative;  // the two ends of a heat map of signed numbers
   SeriesStyle pgs, si, box2d, jacobi, exact;
 };

@@ -8,8 +8,8 @@
 
 namespace cairn {
 
-/// Pulls every dynamic body towards a point with the acceleration strength / r^2, as a heavy star does (Newton
-/// 1687). Within `radius` it falls off in proportion to r, as within a star of even density.
+/// Pulls every dynamic body towards a point with the acceleration strength / r^2, as a heavy star does
+/// (Newton 1687). Within `radius` it falls off in proportion to r, as within a star of even density.
 struct Attraction {
   Vec2<double> point = {0, 0};  // [m] in the world
   double strength = 0;          // [m^3/s^2] G M; negative: pushes away
@@ -35,9 +35,9 @@ struct Water {
 
 /// All of them.
 struct Fields {
-  Vec2<double> wind = {0, 0};          // [m/s] the velocity of the air: Damping::quadratic is against it
-  std::optional<Water> water = {};     // none: there is none
-  List<Attraction> attractions = {};   // of fixed points
+  Vec2<double> wind = {0, 0};         // [m/s] the velocity of the air: Damping::quadratic is against it
+  std::optional<Water> water = {};    // none: there is none
+  List<Attraction> attractions = {};  // of fixed points
   /// [m^3/(kg s^2)] G: every two dynamic bodies attract each other with G m_a m_b / r^2. Nearer than discs of
   /// their areas would touch, it falls off in proportion to r.
   double gravitation = 0;

@@ -10,13 +10,14 @@ namespace cairn {
 
 namespace {
 
-/// Integrals of x, x^2 / 2, x y, x^3 / 3 and x y^2 over dy around an outline: of 1, x, y, x^2 and y^2 over its
-/// area. y points upwards.
+/// Integrals of x, x^2 / 2, x y, x^3 / 3 and x y^2 over dy around an outline: of 1, x, y, x^2 and y^2 over
+/// its area. y points upwards.
 struct OutlineSums {
   double area = 0, x = 0, y = 0, xx = 0, yy = 0;
 };
 
-/// The values below are those of polynomials of the third degree, for which Gauss' rule of two points is exact.
+/// The values below are those of polynomials of the third degree, for which Gauss' rule of two points is
+/// exact.
 void add_line(Vec2<double> from, Vec2<double> to, double level, OutlineSums& sums) {
   if (from.y() >= level && to.y() >= level) return;
   const auto at_level = [&] {
@@ -103,7 +104,7 @@ void add_rounded(const List<Vec2<double>>& corners, double radius, double level,
     return arc_tangent(-way.x(), way.y());
   };
   for (int i = 0; i < count; ++i) {
-    const Vec2<double> &one = corners[i], &next = corners[(i + 1) % count];
+    const Vec2<double>&one = corners[i], &next = corners[(i + 1) % count];
     const double normal = direction(i);
     const Vec2<double> out = Rotation<double>(normal) * Vec2<double>(radius, 0);
     add_line(one + out, next + out, level, sums);

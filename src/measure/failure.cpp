@@ -69,8 +69,8 @@ bool is_driven(const Scene& scene) {
            !(body.spec.velocity.isZero(0) && body.spec.angular_velocity == 0);
   };
   const auto runs = [](const SceneBody& body) { return body.spec.material.surface_speed != 0; };
-  const auto switches_motor = [](const SceneEvent& event) {
-    return std::holds_alternative<SwitchMotor>(event.action);
+  const auto drives = [](const SceneEvent& event) {
+    return std::holds_alternative<SwitchMotor>(event.action) || is_lasting(event.action);
   };
   PerBody<Pose<double>> poses;
   for (const SceneBody& body : scene.bodies()) poses.push_back(body.pose);
@@ -79,9 +79,11 @@ bool is_driven(const Scene& scene) {
     joint->append_rows(poses, rows);
     return std::any_of(rows.begin(), rows.end(), [](const RowSpec<double>& row) { return row.speed != 0; });
   };
-  return std::any_of(scene.bodies().begin(), scene.bodies().end(), moves_by_itself) ||
+  const Fields& fields = scene.settings().fields;
+  return !fields.wind.isZero(0) || (fields.water && !fields.water->flow.isZero(0)) ||
+         std::any_of(scene.bodies().begin(), scene.bodies().end(), moves_by_itself) ||
          std::any_of(scene.bodies().begin(), scene.bodies().end(), runs) ||
-         std::any_of(scene.events().begin(), scene.events().end(), switches_motor) ||
+         std::any_of(scene.events().begin(), scene.events().end(), drives) ||
          std::any_of(scene.joints().begin(), scene.joints().end(), gives_energy);
 }
 

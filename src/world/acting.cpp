@@ -20,27 +20,22 @@ template <Scalar Real>
 void push(const BodyState<Real>& state, BodyId body, const Vec2<double>& impulse, double turn,
           PerBody<Vec3<Real>>& velocity) {
   const Vec3<double> by(impulse.x(), impulse.y(), turn);
-  velocity[body] +=
-      by.cwiseProduct(state.inverse_mass[body].template cast<double>()).template cast<Real>();
+  velocity[body] += by.cwiseProduct(state.inverse_mass[body].template cast<double>()).template cast<Real>();
 }
 
 /// [m] Of a disc of the same area.
 double disc_radius(const SceneBody& body) { return std::sqrt(body.area / pi); }
 
-/// [s] For how long a force acts within some seconds from now on.
-double share(const SceneEvent& event, SubstepTime now, double seconds) {
-  const double ends = event.time + std::get<ApplyForce>(event.action).seconds;
-  return std::max(0.0, std::min(now.begin + seconds, ends) - std::max(now.begin, event.time));
-}
-
-/// The u' of (M + s D) u' = M u, where -D u are the force and the torque with which drag acts on every part of
-/// an area that moves with u = (v, w). D is symmetric and takes energy from every motion. @param s [kg/m^2]
+/// The u' of (M + s D) u' = M u, where -D u are the force and the torque with which drag acts on every part
+/// of an area that moves with u = (v, w). D is symmetric and takes energy from every motion. @param s
+/// [kg/m^2]
 Vec3<double> slowed(const Vec3<double>& u, const Vec3<double>& inverse_mass, double s,
                     const AreaMoments& part) {
   const Vec2<double> arm = perpendicular(part.first), v = u.head<2>();
   const double own = 1 + s * part.area * inverse_mass.x();
   const Vec2<double> of_turning = s * inverse_mass.x() / own * arm, turns = s * inverse_mass.z() * arm;
-  const double w = (u.z() - turns.dot(v) / own) / (1 + s * inverse_mass.z() * part.polar - turns.dot(of_turning));
+  const double w =
+      (u.z() - turns.dot(v) / own) / (1 + s * inverse_mass.z() * part.polar - turns.dot(of_turning));
   const Vec2<double> slow = v / own - w * of_turning;
   return {slow.x(), slow.y(), w};
 }
@@ -58,6 +53,8 @@ Vec2<double> up_direction(const Vec2<double>& gravity) {
 
 template <Scalar Real>
 Acting<Real>::Acting(const Scene& scene) : scene_(scene) {
+  const Fields& fields = scene.settings().fields;
+  centred_ = fields.water || !fields.attractions.empty() || fields.gravitation != 0;
   for (const BodyId body : scene.bodies().indices()) {
     if (scene.bodies()[body].spec.type == BodyType::dynamic) bodies_.push_back(body);
   }
@@ -79,7 +76,7 @@ bool Acting<Real>::is_needed(const Scene& scene) {
 template <Scalar Real>
 void Acting<Real>::add(const BodyState<Real>& state, SubstepTime now, double seconds,
                        PerBody<Vec3<Real>>& velocity) const {
-  add_pulls(state, now.is_first ? seconds / 2 : seconds, velocity);
+  add_pulls(state, static_cast<double>(kick(now, static_cast<Real>(seconds))), velocity);
   add_forces(state, now, seconds, velocity);
   if (scene_.settings().fields.water) act_in_water(state, now, seconds, velocity);
   slow_in_air(state, seconds, velocity);
@@ -111,6 +108,14 @@ void Acting<Real>::add_pulls(const BodyState<Real>& state, double seconds,
   }
 }
 
+/// [s] For how long a force acts within some seconds of a substep.
+template <Scalar Real>
+double Acting<Real>::share(const SceneEvent& event, SubstepTime now, double seconds) const {
+  const double begin = centred_ ? now.begin - seconds / 2 : now.begin;
+  const double ends = event.time + std::get<ApplyForce>(event.action).seconds;
+  return std::max(0.0, std::min(begin + seconds, ends) - std::max(begin, event.time));
+}
+
 template <Scalar Real>
 void Acting<Real>::add_forces(const BodyState<Real>& state, SubstepTime now, double seconds,
                               PerBody<Vec3<Real>>& velocity) const {
@@ -135,7 +140,8 @@ void Acting<Real>::slow_in_air(const BodyState<Real>& state, double seconds,
     const SceneBody& it = scene_.bodies()[body];
     if (!has_drag(it)) continue;
     const Vec2<double> against = velocity[body].template head<2>().template cast<double>() - wind;
-    const double rate = it.spec.damping.quadratic * against.norm() * static_cast<double>(state.inverse_mass[body].x());
+    const double rate =
+        it.spec.damping.quadratic * against.norm() * static_cast<double>(state.inverse_mass[body].x());
     velocity[body].template head<2>() = (wind + against / (1 + seconds * rate)).template cast<Real>();
   }
 }
@@ -150,7 +156,7 @@ void Acting<Real>::act_in_water(const BodyState<Real>& state, SubstepTime now, d
     const AreaMoments part =
         immersed(scene_.bodies()[body].spec.shapes, in_double(state.pose[body]), up, water.level);
     if (!(part.area > 0)) continue;
-    const double time = now.is_first ? seconds / 2 : seconds;
+    const double time = static_cast<double>(kick(now, static_cast<Real>(seconds)));
     const Vec2<double> lift = -time * water.density * settings.gravity;  // for each square metre
     push(state, body, part.area * lift, cross<double>(part.first, lift), velocity);
     if (!(water.drag > 0)) continue;

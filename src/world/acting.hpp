@@ -21,10 +21,11 @@ struct SubstepTime {
 
 /// The fields of a scene, its forces and its paths.
 ///
-/// What depends on where bodies are acts on velocities half of a substep before them: that is how
-/// semi-implicit Euler keeps energy, and turns, to the second order (leapfrog; R. W. Hockney, J. W. Eastwood,
-/// Computer Simulation Using Particles, 1981). So the first substep, whose velocities are those of its
-/// beginning, has half of it. Air and water slow by implicit Euler, so that no step turns a velocity around.
+/// Where forces depend on places, as those of attractions and water do, velocities are those of half a
+/// substep before the places: that is how semi-implicit Euler keeps to the second order (leapfrog; R. W.
+/// Hockney, J. W. Eastwood, Computer Simulation Using Particles, 1981). So what a substep gives is that of
+/// half of it before its beginning and half after, gravity's too, and the first substep of a world has half.
+/// Air and water slow by implicit Euler, so that no step turns a velocity around.
 template <Scalar Real>
 class Acting {
  public:
@@ -33,6 +34,8 @@ class Acting {
   /// Whether a scene has any.
   static bool is_needed(const Scene& scene);
 
+  /// [s] Of `seconds` of a substep, for how long gravity acts.
+  Real kick(SubstepTime now, Real seconds) const { return centred_ && now.is_first ? seconds / 2 : seconds; }
   /// Adds to the velocities of bodies what `seconds` [s] of them give.
   void add(const BodyState<Real>& state, SubstepTime now, double seconds,
            PerBody<Vec3<Real>>& velocity) const;
@@ -43,6 +46,7 @@ class Acting {
 
  private:
   void add_pulls(const BodyState<Real>& state, double seconds, PerBody<Vec3<Real>>& velocity) const;
+  double share(const SceneEvent& event, SubstepTime now, double seconds) const;
   void add_forces(const BodyState<Real>& state, SubstepTime now, double seconds,
                   PerBody<Vec3<Real>>& velocity) const;
   void slow_in_air(const BodyState<Real>& state, double seconds, PerBody<Vec3<Real>>& velocity) const;
@@ -50,6 +54,7 @@ class Acting {
                     PerBody<Vec3<Real>>& velocity) const;
 
   const Scene& scene_;
+  bool centred_;             // some forces depend on places
   List<BodyId> bodies_;      // the dynamic ones
   List<SceneEvent> forces_;  // those of ApplyForce
   List<SceneEvent> paths_;   // and of FollowPath

@@ -10,11 +10,11 @@ namespace cairn {
 
 /// Pulls at a body with a force and a torque. A substep that it begins or ends in has its share of both.
 struct ApplyForce {
-  BodyId body = {};              // a dynamic one
-  Vec2<double> force = {0, 0};   // [N]
-  double torque = 0;             // [N m]
-  Vec2<double> point = {0, 0};   // [m] where it pulls, in the frame of the centre of mass
-  bool turns = false;            // the force turns with the body, as that of an engine does
+  BodyId body = {};             // a dynamic one
+  Vec2<double> force = {0, 0};  // [N]
+  double torque = 0;            // [N m]
+  Vec2<double> point = {0, 0};  // [m] where it pulls, in the frame of the centre of mass
+  bool turns = false;           // the force turns with the body, as that of an engine does
   double seconds = std::numeric_limits<double>::infinity();  // [s] for so long
 
   /// The force [N] in the world on a body that stands so.

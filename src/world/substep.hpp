@@ -45,7 +45,8 @@ struct Substep {
   /// v + time M^-1 f: as bodies go on while nothing holds them. What sleeps stays.
   void add_forces(PerBody<Vec3<Real>>& velocity, Real time) const {
     if (plan.gravity)
-      kinds.pull(velocity, state.inverse_mass, scene.settings().gravity.template cast<Real>(), time);
+      kinds.pull(velocity, state.inverse_mass, scene.settings().gravity.template cast<Real>(),
+                 acting ? acting->kick(when, time) : time);
     if (acting) acting->add(state, when, time, velocity);
     if (plan.damping) kinds.damp(velocity, state.inverse_mass, time);
     if (sleep) sleep->hold(velocity);
