@@ -250,7 +250,8 @@ bool Box2DWorld::do_events() {
 void Box2DWorld::Simulation::act() {
   if (!Acting<double>::is_needed(scene)) return;
   const Acting<double> acting(scene);
-  const SubstepTime now{.begin = steps * scene.settings().dt, .length = scene.settings().dt, .is_first = steps == 0};
+  const SubstepTime now{
+      .begin = steps * scene.settings().dt, .length = scene.settings().dt, .is_first = steps == 0};
   BodyState<double> state = state_of<double>(scene);
   for (const BodyId id : bodies.indices()) {
     const b2Vec2 center = bodies[id]->GetWorldCenter(), velocity = bodies[id]->GetLinearVelocity();
@@ -258,6 +259,13 @@ void Box2DWorld::Simulation::act() {
     state.velocity[id] = {velocity.x, velocity.y, bodies[id]->GetAngularVelocity()};
   }
   const PerBody<Vec3<double>> before = state.velocity;
+  const double early =
+      now.length - acting.kick(now, now.length);  // gravity that Box2D adds and Cairn does not
+  for (const BodyId id : bodies.indices()) {
+    if (scene.bodies()[id].spec.type == BodyType::dynamic)
+      state.velocity[id].head<2>() -=
+          early * scene.bodies()[id].spec.gravity_scale * scene.settings().gravity;
+  }
   acting.lead(now, state);
   acting.add(state, now, now.length, state.velocity);
   for (const BodyId id : bodies.indices()) {

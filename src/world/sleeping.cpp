@@ -60,8 +60,17 @@ void SleepState<Real>::note_drives(const Scene& scene) {
     if (!motor || motor->speed == 0) continue;
     for (const BodyId body : joints_[i]) driven_[body] = 1;
   }
-  for (const BodyId body : falls_.indices())
-    falls_[body] = !scene.settings().gravity.isZero(0) && scene.bodies()[body].spec.gravity_scale != 0;
+  const SceneSettings& settings = scene.settings();
+  const Fields& fields = settings.fields;
+  const bool in_field = fields.water || !fields.attractions.empty() || fields.gravitation != 0;
+  for (const BodyId body : falls_.indices()) {
+    const BodySpec& spec = scene.bodies()[body].spec;
+    falls_[body] = in_field || (!settings.gravity.isZero(0) && spec.gravity_scale != 0) ||
+                   (!fields.wind.isZero(0) && spec.damping.quadratic > 0);
+  }
+  for (const SceneEvent& event : scene.events()) {
+    if (const auto* const pull = std::get_if<ApplyForce>(&event.action)) falls_[pull->body] = 1;
+  }
 }
 
 /// Calls visit(bodies) for every contact and every joint.
