@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <cairn/world/acting.hpp>
 #include "render/draw_parts.hpp"
 
 namespace cairn::render {

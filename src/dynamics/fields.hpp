@@ -46,6 +46,12 @@ struct Fields {
   bool operator==(const Fields&) const = default;
 };
 
+/// Of length 1: against gravity, or along y where there is none.
+inline Vec2<double> up_direction(const Vec2<double>& gravity) {
+  const double size = gravity.norm();
+  return size > 0 ? Vec2<double>(-gravity / size) : Vec2<double>(0, 1);
+}
+
 /// The acceleration [m/s^2] towards what is `way` [m] off. @param radius as Attraction::radius
 inline Vec2<double> attraction(const Vec2<double>& way, double strength, double radius) {
   const double r = std::max(way.norm(), radius);

@@ -5,7 +5,6 @@
 
 #include <cairn/geometry/immersion.hpp>
 #include <cairn/geometry/mass.hpp>
-#include <cairn/world/acting.hpp>
 
 namespace cairn {
 

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include <cairn/math/check.hpp>
+#include <cairn/reference/box2d_acting.hpp>
 #include <cairn/reference/box2d_contacts.hpp>
 #include <cairn/reference/box2d_shapes.hpp>
-#include <cairn/world/acting.hpp>
 #include <cairn/world/scene_length.hpp>
 #include <cairn/world/scene_snapshot.hpp>
 #include <cairn/math/list.hpp>
@@ -112,7 +112,6 @@ struct Box2DWorld::Simulation {
   Simulation(const Scene& the_scene, const Box2DSettings& the_settings);
   void add_bodies();
   void do_event(const SceneEvent& event);
-  void act();
   void drop_joints(const SceneJoints& before);
   SnapshotBody body(BodyId id) const;
   SnapshotJoint joint(int index, const PerBody<Pose<double>>& poses) const;
@@ -246,40 +245,10 @@ bool Box2DWorld::do_events() {
   return true;
 }
 
-/// What acts on bodies besides gravity and damping, and leads them, as Cairn has it.
-void Box2DWorld::Simulation::act() {
-  if (!Acting<double>::is_needed(scene)) return;
-  const Acting<double> acting(scene);
-  const SubstepTime now{
-      .begin = steps * scene.settings().dt, .length = scene.settings().dt, .is_first = steps == 0};
-  BodyState<double> state = state_of<double>(scene);
-  for (const BodyId id : bodies.indices()) {
-    const b2Vec2 center = bodies[id]->GetWorldCenter(), velocity = bodies[id]->GetLinearVelocity();
-    state.pose[id] = {.position = {center.x, center.y}, .angle = static_cast<double>(bodies[id]->GetAngle())};
-    state.velocity[id] = {velocity.x, velocity.y, bodies[id]->GetAngularVelocity()};
-  }
-  const PerBody<Vec3<double>> before = state.velocity;
-  const double early =
-      now.length - acting.kick(now, now.length);  // gravity that Box2D adds and Cairn does not
-  for (const BodyId id : bodies.indices()) {
-    if (scene.bodies()[id].spec.type == BodyType::dynamic)
-      state.velocity[id].head<2>() -=
-          early * scene.bodies()[id].spec.gravity_scale * scene.settings().gravity;
-  }
-  acting.lead(now, state);
-  acting.add(state, now, now.length, state.velocity);
-  for (const BodyId id : bodies.indices()) {
-    const Vec3<double>& velocity = state.velocity[id];
-    if (velocity == before[id]) continue;
-    bodies[id]->SetLinearVelocity(to_box2d(velocity.head<2>()));
-    bodies[id]->SetAngularVelocity(static_cast<float>(velocity.z()));
-  }
-}
-
 void Box2DWorld::step() {
   do_events();
   Simulation& simulation = *simulation_;
-  simulation.act();
+  act_on(simulation.bodies, simulation.scene, simulation.steps);
   simulation.contacts.begin_step();
   simulation.world.Step(static_cast<float>(simulation.scene.settings().dt),
                         simulation.settings.velocity_iterations, simulation.settings.position_iterations);

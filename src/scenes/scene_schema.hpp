@@ -91,7 +91,7 @@ std::string rule_text(const SceneKey& key);
 /// Whether a number is in the range of the key.
 bool in_range(const SceneKey& key, double value);
 
-/// All kinds and keys as tables: the end of lessons/scenes/README.md, from "## Every table" on.
+/// All kinds and keys as tables: lessons/scenes/REFERENCE.md, from "## Every table" on.
 std::string scene_schema_page();
 
 // A part of scene_table_kinds(), and the parts of scene_keys().

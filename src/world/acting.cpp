@@ -46,11 +46,6 @@ bool has_drag(const SceneBody& body) {
 
 }  // namespace
 
-Vec2<double> up_direction(const Vec2<double>& gravity) {
-  const double size = gravity.norm();
-  return size > 0 ? Vec2<double>(-gravity / size) : Vec2<double>(0, 1);
-}
-
 template <Scalar Real>
 Acting<Real>::Acting(const Scene& scene) : scene_(scene) {
   const Fields& fields = scene.settings().fields;

@@ -9,9 +9,6 @@
 
 namespace cairn {
 
-/// Of length 1: against gravity, or along y where there is none.
-Vec2<double> up_direction(const Vec2<double>& gravity);
-
 /// The time of a substep.
 struct SubstepTime {
   double begin = 0;       // [s] since the world began

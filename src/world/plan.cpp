@@ -104,7 +104,7 @@ Plan make_plan(const Scene& scene) {
       kinds.insert(shape_name(shape));
     }
   }
-  plan.acting = acting_on(scene);
+  plan.size.acting = acting_on(scene);
   plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
   plan.friction = plan.collision && rubbing_bodies > 1;
   plan.restitution &= plan.collision;
@@ -143,7 +143,7 @@ std::string explain(const Plan& plan) {
   text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
   if (plan.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
-  if (!plan.acting.empty()) text += line("also", fmt::format("{}", fmt::join(plan.acting, ", ")));
+  if (!plan.size.acting.empty()) text += line("also", fmt::format("{}", fmt::join(plan.size.acting, ", ")));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
   text += line("rotation", plan.size.turning_bodies == plan.size.dynamic_bodies
                                ? std::string("every dynamic body turns")

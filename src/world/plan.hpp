@@ -17,6 +17,7 @@ struct SceneSize {
   int colliders = 0;                   // shapes
   int joints = 0;                      // of every kind
   List<std::string> shape_kinds = {};  // those that occur, sorted
+  List<std::string> acting = {};       // what else acts on bodies or leads them
 };
 
 /// What else is solved in a substep.
@@ -37,7 +38,6 @@ struct Plan {
   bool collision = false;                                 // some pair of shapes could meet
   bool gravity = false;                                   // some body feels it
   bool damping = false;                                   // some body has it
-  List<std::string> acting = {};                          // what else acts on bodies or leads them
   bool friction = false;                                  // some pair of bodies with mu > 0
   bool restitution = false;                               // some body with e > 0
   bool surface_speed = false;                             // some surface runs, and rubs on others

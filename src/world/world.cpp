@@ -130,41 +130,6 @@ void World<Real>::follow(SubstepTime time) {
   if (sleep_) acting_->find_changes(time, [this](BodyId body) { sleep_->wake(body); });
 }
 
-template <Scalar Real>
-VelocityProblem<Real> World<Real>::velocity_problem() const {
-  World twin = *this;
-  do_events(twin);
-  const Substep<Real> step = twin.now_asleep();
-  if (twin.acting_) twin.follow(step.when);
-  twin.contacts_.find(step, twin.record_);
-  twin.solves_.write({step, twin.joints_, twin.contacts_, twin.record_});
-  return twin.record_.problem;
-}
-
-template <Scalar Real>
-Substep<Real> World<Real>::now(int number) const {
-  const double dt = clock_.dt / scene_->settings().substeps;
-  return {.scene = *scene_,
-          .plan = *plan_,
-          .kinds = *kinds_,
-          .state = state_,
-          .hand = hand_.joint(),
-          .acting = acting_.get(),
-          .when = {.begin = clock_.time + number * dt,
-                   .length = dt,
-                   .is_first = clock_.steps == 0 && number == 0},
-          .dt = static_cast<Real>(dt),
-          .step_dt = static_cast<Real>(clock_.dt)};
-}
-
-/// The same with who sleeps.
-template <Scalar Real>
-Substep<Real> World<Real>::now_asleep(int number) {
-  Substep<Real> step = now(number);
-  if (sleep_) step.sleep = &*sleep_;
-  return step;
-}
-
 template class World<float>;
 template class World<double>;
 

@@ -132,6 +132,41 @@ void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
   if (sleep_) sleep_->wake(body);
 }
 
+template <Scalar Real>
+VelocityProblem<Real> World<Real>::velocity_problem() const {
+  World twin = *this;
+  do_events(twin);
+  const Substep<Real> step = twin.now_asleep();
+  if (twin.acting_) twin.follow(step.when);
+  twin.contacts_.find(step, twin.record_);
+  twin.solves_.write({step, twin.joints_, twin.contacts_, twin.record_});
+  return twin.record_.problem;
+}
+
+template <Scalar Real>
+Substep<Real> World<Real>::now(int number) const {
+  const double dt = clock_.dt / scene_->settings().substeps;
+  return {.scene = *scene_,
+          .plan = *plan_,
+          .kinds = *kinds_,
+          .state = state_,
+          .hand = hand_.joint(),
+          .acting = acting_.get(),
+          .when = {.begin = clock_.time + number * dt,
+                   .length = dt,
+                   .is_first = clock_.steps == 0 && number == 0},
+          .dt = static_cast<Real>(dt),
+          .step_dt = static_cast<Real>(clock_.dt)};
+}
+
+/// The same with who sleeps.
+template <Scalar Real>
+Substep<Real> World<Real>::now_asleep(int number) {
+  Substep<Real> step = now(number);
+  if (sleep_) step.sleep = &*sleep_;
+  return step;
+}
+
 template class World<float>;
 template class World<double>;
 

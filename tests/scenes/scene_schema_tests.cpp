@@ -31,12 +31,12 @@ std::string schema_file(const std::string& name) {
 }  // namespace
 
 TEST_CASE("the page on scenes is what the table of keys says today") {
-  const std::string page = schema_file("README.md");
+  const std::string page = schema_file("REFERENCE.md");
   const std::string wanted = page.substr(0, page.find("## Every table\n")) + scene_schema_page();
   if (page == wanted) return;
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "scenes_README.md";
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "scenes_REFERENCE.md";
   std::ofstream(file) << wanted;
-  FAIL_CHECK("lessons/scenes/README.md is to be as " << file.string() << ", which was written now");
+  FAIL_CHECK("lessons/scenes/REFERENCE.md is to be as " << file.string() << ", which was written now");
 }
 
 TEST_CASE("the scene of the five minutes is there, and says what the page says") {
