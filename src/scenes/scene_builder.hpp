@@ -35,6 +35,9 @@ class SceneBuilder {
   /// Moves a body as its table says once all joints are there, so that they begin with an error.
   void displace(const SceneTable& table, BodyId body);
   void finish();
+  /// What is known of two surfaces together, once finish() was called. @throws std::invalid_argument as
+  /// Scene::set_settings.
+  void add(const SceneTable& table, const PairMaterial& pair);
   /// What is to happen, once finish() was called. @throws std::invalid_argument as Scene::add.
   void add(const SceneTable& table, const SceneEvent& event);
   /// Nothing else has the name.
@@ -92,6 +95,8 @@ inline std::string numbered(const std::string& name, int i) { return name + "." 
 void build_bodies(SceneBuilder& builder, const SceneTable& table, int number);
 /// `number`: which [[joint]] it is.
 void build_joint(SceneBuilder& builder, const SceneContext& context, const SceneValue& value, int number);
+/// Every [[contact]] of the file, once all bodies are there.
+void read_contacts(SceneBuilder& builder, const SceneTable& file);
 /// Every [[event]] of the file, once all bodies and joints are there.
 void build_events(SceneBuilder& builder, const SceneTable& file);
 /// Every [[expect.body]] of the file, once the events are known.

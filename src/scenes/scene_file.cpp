@@ -48,7 +48,8 @@ std::map<std::string, double> numbers_of(const SceneContext& context, const Scen
 /// The kinds of tables that make bodies.
 bool makes_bodies(const SceneTable& file, const std::string& key) {
   const SceneKey* found = find_scene_key(scene_table_kind(file.kind()), key);
-  return found && found->field.type == SceneType::tables && key != "joint" && key != "event";
+  return found && found->field.type == SceneType::tables && key != "joint" &&
+         key != "event" && key != "contact";
 }
 
 /// One table of a list: which one of its kind, and what it says.
@@ -102,6 +103,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   SceneBuilder builder(scene_settings_of(table));
   build_items(builder, context, items_of(table, root));
   for (const SceneTable& surface : table.tables("ground")) builder.add_ground(surface);
+  read_contacts(builder, table);
   build_events(builder, table);
 
   SceneEntry entry;

@@ -40,6 +40,9 @@ struct Plan {
   bool friction = false;                                  // some pair of bodies with mu > 0
   bool restitution = false;                               // some body with e > 0
   bool surface_speed = false;                             // some surface runs, and rubs on others
+  bool static_friction = false;                           // some surface that sticks holds more than mu
+  bool rolling_resistance = false;                        // some body resists rolling
+  bool impact_sequence = false;                           // rebounds may be passed on from body to body
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
   bool follows_arcs = false;                              // joints are asked to hold where a substep ends
@@ -47,7 +50,8 @@ struct Plan {
 
   /// Whether solvers that take contacts are given them without rows.
   bool contacts_without_rows() const {
-    const bool is_plain = !surface_speed && (settings.friction_rows == FrictionRows::per_point || !friction);
+    const bool is_plain = !surface_speed && !rolling_resistance && !impact_sequence &&
+                          (settings.friction_rows == FrictionRows::per_point || !friction);
     return collision && second_solve != SecondSolve::positions && is_plain;
   }
   /// Whether the second solve is one of velocities.

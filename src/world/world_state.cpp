@@ -82,6 +82,7 @@ BodyTraits<Real> traits_of(const BodySpec& spec, double smallest, Real radius) {
           .failed_error = static_cast<Real>(failed_share * smallest),
           .friction_root = std::sqrt(spec.material.friction),
           .surface_speed = static_cast<Real>(spec.material.surface_speed),
+          .rolling_resistance = static_cast<Real>(spec.material.rolling_resistance),
           .radius = radius};
 }
 
