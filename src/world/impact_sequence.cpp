@@ -144,7 +144,7 @@ void ImpactSequence<Real>::solve_stage(const VelocityProblem<Real>& problem) {
   }
 }
 
-/// What took part parts as the last stage left it.
+/// What took part parts as the last stage left it: it has met, and has no room left to use.
 template <Scalar Real>
 void ImpactSequence<Real>::hand_on(VelocityProblem<Real>& problem, List<SecondRow<Real>>& second_rows) const {
   for (const Member& member : members_) {
@@ -155,7 +155,8 @@ void ImpactSequence<Real>::hand_on(VelocityProblem<Real>& problem, List<SecondRo
     contact.rebound[member.point] = rebound;
     contact.rigid[member.point] = true;
     const auto bias = [&](bool is_second) {
-      return contact_bias(problem.rule, member.separation, contact.slop_limit, rebound, false, is_second);
+      return std::max(rebound, contact_bias(problem.rule, member.separation, contact.slop_limit, rebound,
+                                            false, is_second));
     };
     problem.rows[member.row].bias = bias(problem.is_second);
     problem.rows[member.row].softness = 0;

@@ -52,6 +52,7 @@ restitution = 0.1
 name = "block"
 n = 3
 box = [1, 1]
+first = [0, 0]
 step = [2, 0]
 [[body]]
 name = "ice"
