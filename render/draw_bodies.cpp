@@ -148,7 +148,8 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
   if (has_pieces(body)) draw_outlines(canvas, camera, body, {.width = width, .color = line});
   const std::string name = name_of(look, id);
   const double size = name_size(page, camera, body, name);
-  if (!has_pieces(body)) draw_orientation(page, camera, body, size * (name.empty() ? 0 : text_reach(page, name)));
+  if (!has_pieces(body))
+    draw_orientation(page, camera, body, size * (name.empty() ? 0 : text_reach(page, name)));
 }
 
 void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,

@@ -154,7 +154,7 @@ void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real thresh
 template <Scalar Real>
 bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real friction, Real load) {
   const Real limit = contact.friction * load;
-  if (std::abs(friction) < (1 - slip_share<Real>) * limit) return false;
+  if (std::abs(friction) < (1 - slip_share<Real>)*limit) return false;
   const Vec2<Real> point = middle_of(contact.manifold), tangent = -perpendicular(contact.manifold.normal);
   ConstraintRow<Real> row;
   row.a = contact.a;
@@ -223,7 +223,8 @@ void write_contact_rows(VelocityProblem<Real>& problem, List<SecondRow<Real>>* s
 template int contact_row_count(const Contact<float>&, const VelocityProblem<float>&);
 template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
 template bool slides(const Contact<float>&, const VelocityProblem<float>&, float, float);
-template bool comes_sliding(const Contact<float>&, const VelocityProblem<float>&, const PerBody<Vec3<float>>&);
+template bool comes_sliding(const Contact<float>&, const VelocityProblem<float>&,
+                            const PerBody<Vec3<float>>&);
 template void add_contact_blocks(VelocityProblem<float>&, int&);
 template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&,
                                  List<SecondRow<float>>*);

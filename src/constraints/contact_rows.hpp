@@ -67,9 +67,9 @@ void add_contact_blocks(VelocityProblem<Real>& problem, int& next);
 /// mu is 0. A friction row for a whole manifold acts in the middle between its points and may take mu times
 /// the sum of their normal impulses: the same forces, as both points slide along the same line, in fewer rows
 /// and with a J of full rank. Two points are a face that stands, and no rolling
-/// row is theirs: their normal impulses are a moment already. Bias and softness of normal rows are those of contact_bias() and
-/// spring_softness(), by the problem's rule. Source: E. Catto, Iterative Dynamics with Temporal Coherence
-/// (2005).
+/// row is theirs: their normal impulses are a moment already. Bias and softness of normal rows are those of
+/// contact_bias() and spring_softness(), by the problem's rule. Source: E. Catto, Iterative Dynamics with
+/// Temporal Coherence (2005).
 ///
 /// Rows go over those from `next` on; `next` is then the row behind them. Behind `second_rows` comes what
 /// each is in a second solve; null: nobody asks.

@@ -105,10 +105,10 @@ class Outline {
         const int j_end = (j + 1) % count;
         if (j_end == i) continue;
         const Point &a = at(i), &b = at(i_end), &c = at(j), &d = at(j_end);
-        const double apart = are_crossing(a, b, c, d)
-                                 ? 0
-                                 : std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b),
-                                             distance(d, a, b)});
+        const double apart =
+            are_crossing(a, b, c, d)
+                ? 0
+                : std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
         require(apart > finest * size_, "outline", "edges",
                 fmt::format("apart ({:.6g} m and more): an outline does not cross or touch itself",
                             finest * size_),

@@ -107,12 +107,12 @@ inline constexpr int max_outline_vertices = 500;
 
 /// A body of any outline without holes, in either turning sense: convex polygons that fill it, side by side,
 /// which are pieces of one another's surface. One polygon where it is convex and has at most 16 corners. The
-/// outline is cut into triangles, ear by ear, each time the least slender one that can be cut off (G. Meisters,
-/// Polygons Have Ears, 1975); then diagonals are left out as long as what they part is convex together
-/// (S. Hertel and K. Mehlhorn, Fast Triangulation of Simple Polygons, 1983): at most four times as many pieces
-/// as there have to be.
-/// @throws std::invalid_argument with fewer than 3 or more than 500 points, two equal points, a corner in line
-/// with its neighbours, edges that meet, and no area.
+/// outline is cut into triangles, ear by ear, each time the least slender one that can be cut off (G.
+/// Meisters, Polygons Have Ears, 1975); then diagonals are left out as long as what they part is convex
+/// together (S. Hertel and K. Mehlhorn, Fast Triangulation of Simple Polygons, 1983): at most four times as
+/// many pieces as there have to be.
+/// @throws std::invalid_argument with fewer than 3 or more than 500 points, two equal points, a corner in
+/// line with its neighbours, edges that meet, and no area.
 List<Shape<double>> outline(const List<Vec2<double>>& points);
 
 /// @throws std::invalid_argument when the points coincide.

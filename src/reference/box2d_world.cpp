@@ -97,10 +97,11 @@ void check_event(const SceneEvent& event) {
 
 void check_surfaces(const Scene& scene) {
   const Plan plan = make_plan(scene);
-  require(!plan.static_friction, "Box2DWorld", "static_friction",
+  require(!plan.surfaces.static_friction, "Box2DWorld", "static_friction",
           "that of sliding, as Box2D has one coefficient", "more");
-  require(!plan.impact_sequence, "Box2DWorld", "impacts", "at once, as Box2D has no other law", "a sequence");
-  require(!plan.rolling_resistance, "Box2DWorld", "rolling_resistance", "0, as Box2D 2.4.1 has none",
+  require(!plan.surfaces.impact_sequence, "Box2DWorld", "impacts", "at once, as Box2D has no other law",
+          "a sequence");
+  require(!plan.surfaces.rolling_resistance, "Box2DWorld", "rolling_resistance", "0, as Box2D 2.4.1 has none",
           "more");
 }
 
@@ -125,10 +126,7 @@ struct Box2DWorld::Simulation {
 };
 
 Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& the_settings)
-    : scene(the_scene),
-      settings(the_settings),
-      contacts(scene),
-      world(to_box2d(scene.settings().gravity)) {
+    : scene(the_scene), settings(the_settings), contacts(scene), world(to_box2d(scene.settings().gravity)) {
   check(settings);
   for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
   check_surfaces(scene);

@@ -48,8 +48,8 @@ std::map<std::string, double> numbers_of(const SceneContext& context, const Scen
 /// The kinds of tables that make bodies.
 bool makes_bodies(const SceneTable& file, const std::string& key) {
   const SceneKey* found = find_scene_key(scene_table_kind(file.kind()), key);
-  return found && found->field.type == SceneType::tables && key != "joint" &&
-         key != "event" && key != "contact";
+  return found && found->field.type == SceneType::tables && key != "joint" && key != "event" &&
+         key != "contact";
 }
 
 /// One table of a list: which one of its kind, and what it says.

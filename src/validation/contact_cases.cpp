@@ -21,8 +21,8 @@ const double held_friction = 0.6, sliding_friction = 0.3;  // mu_s and mu
 Scene block_on_slope(double tangent, double frequency) {
   const double angle = std::atan(tangent);
   const Material material = {.friction = sliding_friction, .static_friction = held_friction};
-  Scene scene({.gravity = standard_gravity * Vec2<double>(std::sin(angle), -std::cos(angle)),
-               .dt = 1 / frequency});
+  Scene scene(
+      {.gravity = standard_gravity * Vec2<double>(std::sin(angle), -std::cos(angle)), .dt = 1 / frequency});
   scene.add_ground({.material = material});
   scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .material = material});
   return scene;
@@ -42,8 +42,9 @@ ValidationResult letting_go(const EngineMaker& make) {
     return std::abs(speed_on_slope(make, slope, 60)) > 0.1;
   });
   add_bracket(result.numbers,
-              measured("tangent of the slope", 0).by("mu_s", held_friction).within(
-                  1e-3, "what sticks is judged to a thousandth"),
+              measured("tangent of the slope", 0)
+                  .by("mu_s", held_friction)
+                  .within(1e-3, "what sticks is judged to a thousandth"),
               found, " up to which it rests", " from which on it slides");
   result.add(measured("speed 1 s after it let go, at 60 Hz", speed_on_slope(make, tangent, 60), "m/s")
                  .by("g cos (tan - mu) t - g cos (mu_s - mu) dt", ideal - lost)
@@ -74,8 +75,8 @@ ValidationResult rolling_out(const EngineMaker& make) {
   const double stops = rolling_speed / slowing, ideal = rolling_speed * stops / 2;  // [s], [m]
   const std::string reason = "the sums are exact; the rows of a disc act on each other little";
   ValidationResult result;
-  result.add(measured("speed after 2 s", run_scene(make, disc_that_rolls(60), 60, 2).bodies.back().velocity.x(),
-                      "m/s")
+  result.add(measured("speed after 2 s",
+                      run_scene(make, disc_that_rolls(60), 60, 2).bodies.back().velocity.x(), "m/s")
                  .by("v0 - 2 mu_r g t/(3 r)", rolling_speed - 2 * slowing)
                  .within(1e-9, reason));
   const auto way = [&](double frequency) {
@@ -109,8 +110,8 @@ ValidationResult passed_on(const EngineMaker& make) {
     const Snapshot end = run_scene(make, touching_balls(incoming, 1), 10, 0.05);
     for (int i = 1; i <= 5; ++i) {
       const double expected = i > 5 - incoming ? 1 : 0;
-      result.add(measured(fmt::format("speed of ball {}, {} come in", i, incoming), end.bodies[{i}].velocity.x(),
-                          "m/s")
+      result.add(measured(fmt::format("speed of ball {}, {} come in", i, incoming),
+                          end.bodies[{i}].velocity.x(), "m/s")
                      .by(expected > 0 ? "v" : "0", expected)
                      .within(1e-11, reason));
     }
@@ -129,8 +130,8 @@ const double pair_friction = 0.25, pair_restitution = 0.5;
 Scene pairs_of_a_table() {
   Scene scene;
   scene.add_ground({.material = {.friction = 0.9, .restitution = 1}});
-  const BodyId block =
-      scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .velocity = {4, 0}, .material = {.friction = 0.7}});
+  const BodyId block = scene.add(
+      {.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .velocity = {4, 0}, .material = {.friction = 0.7}});
   const BodyId ball = scene.add({.shapes = {circle(0.5)}, .position = {-5, 0.5}, .velocity = {0, -4}});
   SceneSettings settings = scene.settings();
   settings.gravity = {0, -standard_gravity};
@@ -169,7 +170,8 @@ ValidationResult outlines(const EngineMaker& make) {
   const MassProperties l = mass_properties(outline(ell));
   ValidationResult result;
   result.add(measured("area of an L", l.area, "m^2").by("a t + (b - t) t", 6).within(1e-14 * 6, reason));
-  result.add(measured("centre of an L", l.centroid.x(), "m").by("(3 1.5 + 3 0.5)/6", 1).within(1e-14, reason));
+  result.add(
+      measured("centre of an L", l.centroid.x(), "m").by("(3 1.5 + 3 0.5)/6", 1).within(1e-14, reason));
   result.add(measured("inertia of an L", l.inertia, "m^4")
                  .by("2 3 (1 + 9)/12 + 6 (5/4)", 5 + 7.5)
                  .within(1e-13 * 12.5, reason));
@@ -180,16 +182,19 @@ ValidationResult outlines(const EngineMaker& make) {
   const MassProperties s = mass_properties(outline(star));
   const double area = 5 * outer * inner * std::sin(step);
   const double inertia = area / 6 * (outer * outer + inner * inner + outer * inner * std::cos(step));
-  result.add(measured("area of a star of n tips", s.area, "m^2").by("n R r sin(pi/n)", area).within(
-      1e-14 * area, reason));
+  result.add(measured("area of a star of n tips", s.area, "m^2")
+                 .by("n R r sin(pi/n)", area)
+                 .within(1e-14 * area, reason));
   result.add(measured("inertia of a star", s.inertia, "m^4")
                  .by("A (R^2 + r^2 + R r cos(pi/n))/6", inertia)
                  .within(1e-13 * inertia, reason));
-  add_bracket(result.numbers,
-              measured("width of the foot under an L", 0, "m").by("x of its centre", 1).within(
-                  0.02, "within 2 s it falls only from 0.0003 rad off its balance on; and the slop of 5 mm"),
-              bisected({.before = 1.5, .after = 0.5}, 1e-3, [&](double foot) { return tips(make, foot); }),
-              " on which it stands", " from which it tips");
+  add_bracket(
+      result.numbers,
+      measured("width of the foot under an L", 0, "m")
+          .by("x of its centre", 1)
+          .within(0.02, "within 2 s it falls only from 0.0003 rad off its balance on; and the slop of 5 mm"),
+      bisected({.before = 1.5, .after = 0.5}, 1e-3, [&](double foot) { return tips(make, foot); }),
+      " on which it stands", " from which it tips");
   return result;
 }
 
@@ -204,18 +209,20 @@ void add_contact_cases(ValidationCases& cases) {
                    .title = "A disc rolls 3 r v0^2 / (4 mu_r g) far against a rolling resistance",
                    .source = "C. A. Coulomb, 1785",
                    .run = rolling_out});
-  cases.push_back({.id = "B52",
-                   .title = "Of five balls that touch, as many go out as come in, where impacts are a sequence",
-                   .source = "Smith et al., 2012",
-                   .run = passed_on});
+  cases.push_back(
+      {.id = "B52",
+       .title = "Of five balls that touch, as many go out as come in, where impacts are a sequence",
+       .source = "Smith et al., 2012",
+       .run = passed_on});
   cases.push_back({.id = "B53",
                    .title = "Two bodies rub and rebound by what a table says of their pair",
                    .asks = Asks::any_engine,
                    .run = of_pairs});
-  cases.push_back({.id = "B54",
-                   .title = "An L stands until its centre of mass is beyond its foot; a star weighs by formula",
-                   .asks = Asks::any_engine,
-                   .run = outlines});
+  cases.push_back(
+      {.id = "B54",
+       .title = "An L stands until its centre of mass is beyond its foot; a star weighs by formula",
+       .asks = Asks::any_engine,
+       .run = outlines});
 }
 
 }  // namespace cairn

@@ -9,12 +9,12 @@ namespace cairn {
 /// What a body has from its scene, and never changes.
 template <Scalar Real>
 struct BodyTraits {
-  Real slop_limit = 0;       // [m] a share of the smallest shape
-  Real failed_error = 0;     // [m] likewise: deeper in another, it is on its way through
-  double friction_root = 0;  // sqrt(mu): a pair's mu is the product of two
-  Real surface_speed = 0;    // [m/s]
+  Real slop_limit = 0;          // [m] a share of the smallest shape
+  Real failed_error = 0;        // [m] likewise: deeper in another, it is on its way through
+  double friction_root = 0;     // sqrt(mu): a pair's mu is the product of two
+  Real surface_speed = 0;       // [m/s]
   Real rolling_resistance = 0;  // [m]
-  Real radius = 0;           // [m] of a circle around all shapes, about the centre of mass
+  Real radius = 0;              // [m] of a circle around all shapes, about the centre of mass
 
   /// Member by member.
   bool operator==(const BodyTraits&) const = default;

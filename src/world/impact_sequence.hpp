@@ -25,10 +25,11 @@ namespace cairn {
 template <Scalar Real>
 class ImpactSequence {
  public:
-  /// Of a problem with rows, whose contacts have met (contact_rows.hpp): where one of them rebounds, finds how
-  /// contacts part from the velocities `before` [m/s] the substep's forces, and writes it into `rebound` of
-  /// each and the bias of its row, and of the second row, if there are any. Approaches no faster than `threshold` [m/s] do not rebound. The impulses
-  /// that this took are added to those that the rows begin from.
+  /// Of a problem with rows, whose contacts have met (contact_rows.hpp): where one of them rebounds, finds
+  /// how contacts part from the velocities `before` [m/s] the substep's forces, and writes it into `rebound`
+  /// of each and the bias of its row, and of the second row, if there are any. Approaches no faster than
+  /// `threshold` [m/s] do not rebound. The impulses that this took are added to those that the rows begin
+  /// from.
   void begin(const PerBody<Vec3<Real>>& before, Real threshold, VelocityProblem<Real>& problem,
              List<SecondRow<Real>>& second_rows);
 

@@ -50,12 +50,11 @@ bool any_may_meet(const Scene& scene) {
 /// What follows from `rubbing_bodies` with mu > 0 by the rule that mixes them, and from what is known of
 /// pairs.
 void add_pairs(const Mixing& mixing, int rubbing_bodies, Plan& plan) {
-  const bool is_one_enough =
-      mixing.friction == MixingRule::average || mixing.friction == MixingRule::maximum;
+  const bool is_one_enough = mixing.friction == MixingRule::average || mixing.friction == MixingRule::maximum;
   plan.friction = rubbing_bodies > (is_one_enough ? 0 : 1);
   for (const PairMaterial& pair : mixing.pairs) {
     plan.friction |= pair.friction.value_or(0) > 0 || pair.static_friction.value_or(0) > 0;
-    plan.static_friction |= pair.static_friction.value_or(0) > pair.friction.value_or(0);
+    plan.surfaces.static_friction |= pair.static_friction.value_or(0) > pair.friction.value_or(0);
     plan.restitution |= pair.restitution.value_or(0) > 0;
   }
   plan.friction &= plan.collision;
@@ -120,10 +119,10 @@ Plan make_plan(const Scene& scene) {
     const bool rubs = spec.material.holding_friction() > 0 && !spec.shapes.empty();
     rubbing_bodies += rubs;
     plan.restitution |= spec.material.restitution > 0 && !spec.shapes.empty();
-    plan.surface_speed |= spec.material.surface_speed != 0 && (rubs || !scene.settings().mixing.is_usual());
-    plan.static_friction |=
+    plan.surfaces.speed |= spec.material.surface_speed != 0 && (rubs || !scene.settings().mixing.is_usual());
+    plan.surfaces.static_friction |=
         spec.material.holding_friction() > spec.material.friction && !spec.shapes.empty();
-    plan.rolling_resistance |= spec.material.rolling_resistance > 0 && !spec.shapes.empty();
+    plan.surfaces.rolling_resistance |= spec.material.rolling_resistance > 0 && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
       plan.size.colliders += piece_count(shape);
       kinds.insert(shape_name(shape));
@@ -132,10 +131,10 @@ Plan make_plan(const Scene& scene) {
   plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
   add_pairs(scene.settings().mixing, rubbing_bodies, plan);
   plan.restitution &= plan.collision;
-  plan.impact_sequence = plan.restitution && scene.settings().impacts == Impacts::sequence;
-  plan.surface_speed &= plan.friction;
-  plan.static_friction &= plan.collision;
-  plan.rolling_resistance &= plan.friction;
+  plan.surfaces.impact_sequence = plan.restitution && scene.settings().impacts == Impacts::sequence;
+  plan.surfaces.speed &= plan.friction;
+  plan.surfaces.static_friction &= plan.collision;
+  plan.surfaces.rolling_resistance &= plan.friction;
   plan.size.joints = scene.joints().size();
   plan.broadphase = plan.size.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   const SceneSettings& settings = scene.settings();
@@ -168,11 +167,13 @@ std::string explain(const Plan& plan) {
                                             : "one row a manifold, where mu > 0",
                                   "left out: no two bodies with mu > 0, no friction rows"));
   text += line("restitution", restitution_text(plan));
-  if (plan.static_friction) text += line("static", "what sticks holds more than mu: each contact sticks or slides");
-  if (plan.rolling_resistance) text += line("rolling", "one row more where a body stands on one point: a moment resists");
+  if (plan.surfaces.static_friction)
+    text += line("static", "what sticks holds more than mu: each contact sticks or slides");
+  if (plan.surfaces.rolling_resistance)
+    text += line("rolling", "one row more where a body stands on one point: a moment resists");
   if (!plan.settings.mixing.is_usual()) text += line("mixing", mixing_text(plan.settings.mixing));
-  if (plan.impact_sequence) text += line("impacts", "one after the other, as bodies pass them on");
-  if (plan.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
+  if (plan.surfaces.impact_sequence) text += line("impacts", "one after the other, as bodies pass them on");
+  if (plan.surfaces.speed) text += line("surfaces", "some run like belts: friction asks for their speed");
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
   text += line("rotation", plan.size.turning_bodies == plan.size.dynamic_bodies

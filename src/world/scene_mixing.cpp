@@ -53,8 +53,7 @@ void require_restitution(double value, const std::string& place) {
 }
 
 void require_bodies(const List<BodyId>& ids, int bodies, const std::string& place, const char* field) {
-  const bool in_order =
-      std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<BodyId>()) == ids.end();
+  const bool in_order = std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<BodyId>()) == ids.end();
   require(!ids.empty() && in_order && ids[0].index >= 0 && ids.back().index < bodies, place, field,
           "bodies of the scene, in the order of their ids",
           ids.empty() ? std::string("none") : std::to_string(ids.back().index));
@@ -93,7 +92,8 @@ void require_mixing(const Mixing& mixing, int bodies) {
     require_bodies(pair.a, bodies, place, "a");
     require_bodies(pair.b, bodies, place, "b");
     if (pair.friction) require_friction(*pair.friction, place, "friction");
-    if (pair.static_friction) require_static_friction(*pair.static_friction, pair.friction.value_or(0), place);
+    if (pair.static_friction)
+      require_static_friction(*pair.static_friction, pair.friction.value_or(0), place);
     if (pair.restitution) require_restitution(*pair.restitution, place);
   }
 }

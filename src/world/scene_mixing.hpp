@@ -17,10 +17,10 @@ namespace cairn {
 /// one body on the other, where N presses them together at one point. Of two surfaces the larger mu_r holds;
 /// it needs friction.
 struct Material {
-  double friction = 0.6;                        // mu
-  std::optional<double> static_friction = {};   // mu_s, at least mu; left out: mu
-  double restitution = 0;                       // e, in [0, 1]
-  double rolling_resistance = 0;                // [m] mu_r: how far the load moves ahead of the contact
+  double friction = 0.6;                       // mu
+  std::optional<double> static_friction = {};  // mu_s, at least mu; left out: mu
+  double restitution = 0;                      // e, in [0, 1]
+  double rolling_resistance = 0;               // [m] mu_r: how far the load moves ahead of the contact
   double surface_speed = 0;  // [m/s] with which it runs around its body, as a belt does: to the right where
                              // it faces up
 

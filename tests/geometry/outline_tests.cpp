@@ -103,7 +103,8 @@ TEST_CASE("an outline of any form becomes few convex pieces with its area, centr
   check_pieces({{0, 0}, {4, 0}, {4, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 3);  // a U
   check_pieces({{0, 0}, {2, 1}, {4, 0}, {2, 5}}, 2);                                  // an arrow
   Points spiral;
-  for (int i = 0; i < 60; ++i) spiral.push_back({(1 + 0.2 * i) * std::cos(0.3 * i), (1 + 0.2 * i) * std::sin(0.3 * i)});
+  for (int i = 0; i < 60; ++i)
+    spiral.push_back({(1 + 0.2 * i) * std::cos(0.3 * i), (1 + 0.2 * i) * std::sin(0.3 * i)});
   for (int i = 59; i >= 0; --i)
     spiral.push_back({(2 + 0.2 * i) * std::cos(0.3 * i), (2 + 0.2 * i) * std::sin(0.3 * i)});
   check_pieces(spiral, 119);
@@ -129,14 +130,16 @@ TEST_CASE("a convex outline stays one polygon, with more than 16 corners several
 
 TEST_CASE("outlines that are none are refused, and told why") {
   const Points bow = {{0, 0}, {2, 2}, {2, 0}, {0, 2}};
-  CHECK_THROWS_WITH_AS(outline(bow),
-                       "outline: edges must be apart (2.82843e-06 m and more): an outline does not cross or touch "
-                       "itself, got points[0] to points[1] and points[2] to points[3]",
-                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(
+      outline(bow),
+      "outline: edges must be apart (2.82843e-06 m and more): an outline does not cross or touch "
+      "itself, got points[0] to points[1] and points[2] to points[3]",
+      std::invalid_argument);
   CHECK_THROWS_AS(outline({{0, 0}, {1, 0}}), std::invalid_argument);
-  CHECK_THROWS_AS(outline({{0, 0}, {1, 0}, {0, 1}, {1, 0}}), std::invalid_argument);         // twice
-  CHECK_THROWS_AS(outline({{0, 0}, {1, 0}, {2, 0}}), std::invalid_argument);                 // no area
-  CHECK_THROWS_AS(outline({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}), std::invalid_argument);  // touches itself
+  CHECK_THROWS_AS(outline({{0, 0}, {1, 0}, {0, 1}, {1, 0}}), std::invalid_argument);  // twice
+  CHECK_THROWS_AS(outline({{0, 0}, {1, 0}, {2, 0}}), std::invalid_argument);          // no area
+  CHECK_THROWS_AS(outline({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}),
+                  std::invalid_argument);  // touches itself
   CHECK_THROWS_AS(outline({{0, 0}, {2, 0}, {2, NAN}, {0, 2}}), std::invalid_argument);
   CHECK_THROWS_AS(outline(Points(501, {1, 1})), std::invalid_argument);
 }

@@ -215,7 +215,8 @@ TEST_CASE("a scene with a rule or a pair slides and rebounds by it") {
   const auto speed = [](const Mixing& mixing) {
     Scene scene;
     scene.add_ground({.material = {.friction = 0.1, .restitution = 0}});
-    scene.add({.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .velocity = {5, 0}, .material = {.friction = 0.4}});
+    scene.add(
+        {.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .velocity = {5, 0}, .material = {.friction = 0.4}});
     SceneSettings settings = scene.settings();
     settings.mixing = mixing;
     scene.set_settings(settings);
@@ -231,13 +232,13 @@ TEST_CASE("a scene with a rule or a pair slides and rebounds by it") {
 
 TEST_CASE("a scene plans for no more of this than it has, and says so") {
   const Plan plain = make_plan(block_on_slope(0, {}));
-  CHECK_FALSE(plain.static_friction);
-  CHECK_FALSE(plain.rolling_resistance);
+  CHECK_FALSE(plain.surfaces.static_friction);
+  CHECK_FALSE(plain.surfaces.rolling_resistance);
   CHECK(plain.contacts_without_rows());
   for (const char* word : {"static", "rolling", "mixing", "impacts"})
     CHECK(explain(plain).find(word) == std::string::npos);
   const Plan both = make_plan(block_on_slope(0, two_coefficients));
-  CHECK(both.static_friction);
+  CHECK(both.surfaces.static_friction);
   CHECK(both.contacts_without_rows());
   CHECK(explain(both).find("static") != std::string::npos);
   const Plan rolling = make_plan(rolling_disc(0, 0.1));

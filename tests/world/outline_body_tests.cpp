@@ -10,7 +10,8 @@ using Points = List<Vec2<double>>;
 
 const Points ell = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}};
 // A flat top over three teeth: its pieces meet in seams under the top.
-const Points table = {{0, 0}, {1, 0}, {1, 1}, {3, 1}, {3, 0}, {4, 0}, {4, 1}, {6, 1}, {6, 0}, {7, 0}, {7, 2}, {0, 2}};
+const Points table = {{0, 0}, {1, 0}, {1, 1}, {3, 1}, {3, 0}, {4, 0},
+                      {4, 1}, {6, 1}, {6, 0}, {7, 0}, {7, 2}, {0, 2}};
 
 SharedList<Shape<double>> shapes_of(const Points& points) { return outline(points); }
 
@@ -58,10 +59,18 @@ TEST_CASE("a hook hangs on a bar") {
   // A C that is open to the right, with its upper arm over a bar of radius 0.1.
   Scene scene;
   scene.add({.type = BodyType::static_body, .shapes = {circle(0.1)}, .position = {0.6, 1.5}});
-  const BodyId hook = scene.add(
-      {.shapes = shapes_of({{0, 0}, {1, 0}, {1, 0.4}, {0.4, 0.4}, {0.4, 1.6}, {0.8, 1.6}, {0.8, 1.3}, {1.2, 1.3}, {1.2, 2}, {0, 2}}),
-       .position = {0, 0.01},
-       .damping = {.linear = 1, .angular = 2}});
+  const BodyId hook = scene.add({.shapes = shapes_of({{0, 0},
+                                                      {1, 0},
+                                                      {1, 0.4},
+                                                      {0.4, 0.4},
+                                                      {0.4, 1.6},
+                                                      {0.8, 1.6},
+                                                      {0.8, 1.3},
+                                                      {1.2, 1.3},
+                                                      {1.2, 2},
+                                                      {0, 2}}),
+                                 .position = {0, 0.01},
+                                 .damping = {.linear = 1, .angular = 2}});
   World<double> world(scene);
   take_steps(world, 600, 30);
   // It hangs still, with its centre of mass under the bar.
