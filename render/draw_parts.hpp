@@ -31,8 +31,6 @@ double area(const Outline& outline);  // [px^2]
 void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Shape<double>& shape,
                  const Paint& paint);
 
-/// Whether it is a piece of an outline.
-bool is_piece(const Shape<double>& shape);
 /// Whether edge i of a shape, from its vertex i on, lies between two pieces of the body's outline.
 bool is_seam(const SnapshotBody& body, const Shape<double>& shape, int edge);
 /// The outlines that the body's pieces make up, and thin lines between the pieces.

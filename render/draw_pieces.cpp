@@ -33,11 +33,6 @@ Edges edges_of(const SnapshotBody& body) {
 
 }  // namespace
 
-bool is_piece(const Shape<double>& shape) {
-  const auto* const polygon = std::get_if<Polygon<double>>(&shape);
-  return polygon != nullptr && polygon->is_piece;
-}
-
 bool is_seam(const SnapshotBody& body, const Shape<double>& shape, int edge) {
   if (!is_piece(shape)) return false;
   const List<Vec2<double>>& corners = std::get<Polygon<double>>(shape).vertices;

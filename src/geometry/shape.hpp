@@ -137,6 +137,12 @@ int piece_count(const Shape<Real>& shape) {
   return chain == nullptr ? 1 : chain->link_count();
 }
 
+/// Whether a shape is a piece of an outline().
+inline bool is_piece(const Shape<double>& shape) {
+  const auto* const polygon = std::get_if<Polygon<double>>(&shape);
+  return polygon != nullptr && polygon->is_piece;
+}
+
 /// The same shape moved by `offset`, turned by `angle` around the origin first.
 Shape<double> moved(const Shape<double>& shape, const Vec2<double>& offset, double angle = 0);
 

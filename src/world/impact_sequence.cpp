@@ -28,10 +28,12 @@ bool any_rebounds(const VelocityProblem<Real>& problem) {
   });
 }
 
-/// Whether a row of a joint holds through an impact: springs, motors and drags give no impulses.
+/// Whether a row of a joint holds through an impact: springs, motors and drags give no impulses. The springs
+/// of the policy soft do, which are none in the second solve.
 template <Scalar Real>
-bool holds(const ConstraintRow<Real>& row) {
-  return row.softness == 0 && (row.bounds.is_equality() || row.bounds.is_unilateral());
+bool holds(const ConstraintRow<Real>& row, const SecondRow<Real>* second) {
+  const bool is_rigid = row.softness == 0 || (second != nullptr && second->softness == 0);
+  return is_rigid && (row.bounds.is_equality() || row.bounds.is_unilateral());
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ template <Scalar Real>
 void ImpactSequence<Real>::begin(const PerBody<Vec3<Real>>& before, Real threshold,
                                  VelocityProblem<Real>& problem, List<SecondRow<Real>>& second_rows) {
   if (!any_rebounds(problem)) return;
-  find_members(problem);
+  find_members(problem, second_rows);
   velocity_ = before;
   begin_stage(threshold, problem);
   const Real least = std::max(threshold, rounding<Real> * fastest_wish(problem));
@@ -52,14 +54,17 @@ void ImpactSequence<Real>::begin(const PerBody<Vec3<Real>>& before, Real thresho
 }
 
 template <Scalar Real>
-void ImpactSequence<Real>::find_members(const VelocityProblem<Real>& problem) {
+void ImpactSequence<Real>::find_members(const VelocityProblem<Real>& problem,
+                                        const List<SecondRow<Real>>& second_rows) {
   members_.clear();
   const auto add = [&](Member member) {
-    member.inverse = inverse_effective_mass(problem, problem.rows[member.row]);
+    const ConstraintRow<Real>& row = problem.rows[member.row];
+    member.inverse = inverse_effective_mass(problem, row) - row.softness;
     if (member.inverse > 0) members_.push_back(member);
   };
   for (int row = 0; row < problem.joint_rows(); ++row) {
-    if (holds(problem.rows[row])) add({.row = row});
+    const SecondRow<Real>* const second = second_rows.empty() ? nullptr : &second_rows[row];
+    if (holds(problem.rows[row], second)) add({.row = row});
   }
   for (int i = 0; i < problem.contacts.size(); ++i) {
     const Contact<Real>& contact = problem.contacts[i];

@@ -49,7 +49,7 @@ class ImpactSequence {
     bool has_acted = false;
   };
 
-  void find_members(const VelocityProblem<Real>& problem);
+  void find_members(const VelocityProblem<Real>& problem, const List<SecondRow<Real>>& second_rows);
   bool begin_stage(Real threshold, const VelocityProblem<Real>& problem);
   void solve_stage(const VelocityProblem<Real>& problem);
   void hand_on(VelocityProblem<Real>& problem, List<SecondRow<Real>>& second_rows) const;

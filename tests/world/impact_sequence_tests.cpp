@@ -116,24 +116,52 @@ TEST_CASE("a sequence keeps energy and momentum, of any masses, tiny and huge") 
 }
 
 TEST_CASE("a sequence goes through joints: a ball strikes a rod of two balls as one body of their mass") {
-  Scene scene({.gravity = {0, 0}, .impacts = Impacts::sequence});
-  const auto ball = [&scene](double x, double speed) {
-    return scene.add({.shapes = {circle(0.5)},
-                      .position = {x, 0},
-                      .velocity = {speed, 0},
-                      .mass = 1,
-                      .material = {.friction = 0, .restitution = 1}});
-  };
-  ball(0, 1);
-  const BodyId near = ball(1, 0), far = ball(3, 0);
-  ball(4, 0);
-  scene.join<DistanceJoint>({.a = near, .b = far, .anchor_a = {1, 0}, .anchor_b = {3, 0}});
-  World<double> world(scene);
-  take_steps(world, 3, 50);
-  // 1 kg on 2 kg: -1/3 and 2/3; 2 kg on 1 kg: 2/9 and 8/9.
-  CHECK(velocity_of(world, {1}).x() == doctest::Approx(-1.0 / 3).epsilon(1e-9));
-  CHECK(velocity_of(world, {2}).x() == doctest::Approx(2.0 / 9).epsilon(1e-9));
-  CHECK(velocity_of(world, {4}).x() == doctest::Approx(8.0 / 9).epsilon(1e-9));
+  for (const StabilizationPolicy policy :
+       {StabilizationPolicy::relaxed, StabilizationPolicy::soft, StabilizationPolicy::baumgarte,
+        StabilizationPolicy::split_impulse}) {
+    CAPTURE(static_cast<int>(policy));
+    Scene scene({.gravity = {0, 0}, .stabilization = {.policy = policy}, .impacts = Impacts::sequence});
+    const auto ball = [&scene](double x, double speed) {
+      return scene.add({.shapes = {circle(0.5)},
+                        .position = {x, 0},
+                        .velocity = {speed, 0},
+                        .mass = 1,
+                        .material = {.friction = 0, .restitution = 1}});
+    };
+    ball(0, 1);
+    const BodyId near = ball(1, 0), far = ball(3, 0);
+    ball(4, 0);
+    scene.join<DistanceJoint>({.a = near, .b = far, .anchor_a = {1, 0}, .anchor_b = {3, 0}});
+    World<double> world(scene);
+    take_steps(world, 3, 50);
+    // 1 kg on 2 kg: -1/3 and 2/3; 2 kg on 1 kg: 2/9 and 8/9.
+    CHECK(velocity_of(world, {1}).x() == doctest::Approx(-1.0 / 3).epsilon(1e-9));
+    CHECK(velocity_of(world, {2}).x() == doctest::Approx(2.0 / 9).epsilon(1e-9));
+    CHECK(velocity_of(world, {4}).x() == doctest::Approx(8.0 / 9).epsilon(1e-9));
+  }
+}
+
+TEST_CASE(
+    "as many balls go out as come in by every policy, with gaps that close within a step, and in float") {
+  for (const StabilizationPolicy policy :
+       {StabilizationPolicy::none, StabilizationPolicy::relaxed, StabilizationPolicy::soft,
+        StabilizationPolicy::baumgarte, StabilizationPolicy::split_impulse}) {
+    CAPTURE(static_cast<int>(policy));
+    Scene scene({.gravity = {0, 0}, .stabilization = {.policy = policy}, .impacts = Impacts::sequence});
+    for (int i = 0; i < 5; ++i) {
+      scene.add({.shapes = {circle(0.5)},
+                 .position = {i - (i < 2 ? 0.021 : 0), 0},
+                 .velocity = {i < 2 ? 1.0 : 0.0, 0},
+                 .mass = 1,
+                 .material = {.friction = 0, .restitution = 1}});
+    }
+    const World<double> world = world_after(scene, 10);
+    const World<float> single = world_after<float>(scene, 10);
+    for (int i = 1; i <= 5; ++i) {
+      CHECK(std::abs(velocity_of(world, {i}).x() - (i > 3 ? 1 : 0)) <= 1e-9);
+      CHECK(std::abs(velocity_of(single, {i}).x() - (i > 3 ? 1 : 0)) <= 1e-4);
+    }
+  }
 }
 
 TEST_CASE("a ball that bounces alone does as without a sequence, bit by bit") {
@@ -160,6 +188,25 @@ TEST_CASE("what rests on others while one is struck keeps its load") {
   for (int i = 1; i <= 4; ++i) {
     CHECK(std::abs(pose_of(world, {i}).position.y() - (i - 0.5)) <= 0.02);
     CHECK(std::abs(velocity_of(world, {i}).y()) <= 0.02);
+  }
+}
+
+TEST_CASE(
+    "a slow elastic ball goes to and fro for ever without gravity, and the threshold goes with sqrt(g L)") {
+  Scene scene({.gravity = {0, 0}});
+  for (const double x : {-2.0, 2.0}) {
+    scene.add({.type = BodyType::static_body,
+               .shapes = {box(1, 3)},
+               .position = {x, 0},
+               .material = {.friction = 0, .restitution = 1}});
+  }
+  scene.add({.shapes = {circle(0.5)}, .velocity = {0.4, 0}, .material = {.friction = 0, .restitution = 1}});
+  CHECK(std::abs(velocity_of(world_after(scene, 3600), {3}).x()) == doctest::Approx(0.4).epsilon(1e-9));
+  for (const double size : {1.0 / 64, 1.0, 64.0}) {
+    const Plan plan = make_plan(balls({.gravity = {0, -10}, .size = size}));
+    // What falls through L / 80 under g.
+    CHECK(*plan.settings.restitution_threshold ==
+          doctest::Approx(std::sqrt(2 * 10 * plan.length / 80)).epsilon(1e-9));
   }
 }
 
