@@ -18,6 +18,7 @@ struct Edge {
   Point along = {1, 0};    // unit
   Point outward = {0, 1};  // unit
   double length = 0;       // [px]
+  int number = 0;          // of the shape's outline
 };
 
 /// [px] The part of the edge that may be seen; first above last: none.
@@ -45,7 +46,8 @@ List<Edge> edges_of(Outline outline, bool clockwise) {
     const Point &one = outline[i], &next = outline[(i + 1) % outline.size()];
     twice_area += one.x() * next.y() - one.y() * next.x();
   }
-  if ((twice_area > 0) != clockwise) std::reverse(outline.begin(), outline.end());
+  const bool turns_round = (twice_area > 0) != clockwise;
+  if (turns_round) std::reverse(outline.begin(), outline.end());
   List<Edge> edges;
   for (int i = 0; i < outline.size(); ++i) {
     const Point way = outline[(i + 1) % outline.size()] - outline[i];
@@ -53,7 +55,8 @@ List<Edge> edges_of(Outline outline, bool clockwise) {
     if (!(length > 0)) continue;
     const Point along = way / length;
     const Point right(along.y(), -along.x());  // of the way in pixels, y down: its left
-    edges.push_back({outline[i], along, clockwise ? right : Point(-right), length});
+    edges.push_back({outline[i], along, clockwise ? right : Point(-right), length,
+                     turns_round ? (2 * outline.size() - 2 - i) % outline.size() : i});
   }
   return edges;
 }
@@ -76,7 +79,8 @@ void draw_belt(Page& page, const Camera& camera, const SnapshotBody& body, BodyI
     double passed = 0;  // [px] of the outline, before the edge
     for (const Edge& edge : edges_of(outline_of(camera, body.pose, shape), body.surface_speed > 0)) {
       const auto [first, last] = seen_part(edge, camera.viewport);
-      const bool is_drawn = id != ground || -edge.outward.y() > 0.1;  // of the ground what looks up
+      const bool looks_out = id != ground || -edge.outward.y() > 0.1;  // of the ground what looks up
+      const bool is_drawn = looks_out && !is_seam(body, shape, edge.number);
       const double begin = std::ceil((first + passed - way) / pitch) * pitch + way - passed;
       if (is_drawn)
         for (double at = begin; at <= last; at += pitch) draw_mark(page.canvas(), edge, at, stroke);

@@ -36,17 +36,23 @@ void draw_surface(Canvas& canvas, const Outline& outline, const Stroke& stroke) 
   }
 }
 
-void draw_static_shape(Page& page, const Outline& outline, BodyId id) {
+/// `with_edges`: no piece of an outline, whose edges are drawn once all pieces are.
+void draw_static_shape(Page& page, const Outline& outline, BodyId id, bool with_edges) {
   Canvas& canvas = page.canvas();
   const Theme& theme = page.theme();
   const Paint edge{.outline = theme.outline, .outline_width = page.sizes().outline};
   canvas.polygon(outline, {.fill = theme.static_body});
   canvas.hatch(outline, {.width = 1, .color = theme.static_hatch}, page.sizes().hatch_pitch);
+  if (!with_edges) return;
   if (id != ground) {
     canvas.polygon(outline, edge);
   } else {
     draw_surface(canvas, outline, {.width = page.sizes().outline, .color = theme.outline});
   }
+}
+
+bool has_pieces(const SnapshotBody& body) {
+  return std::any_of(body.shapes.begin(), body.shapes.end(), is_piece);
 }
 
 // The half diagonal of a text of 1 px.
@@ -114,8 +120,10 @@ void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body
       continue;
     }
     const Outline seen = clipped(outline_of(camera, body.pose, shape), grown(camera.viewport, cut));
-    if (seen.size() > 2) draw_static_shape(page, seen, id);
+    if (seen.size() > 2) draw_static_shape(page, seen, id, !is_piece(shape));
   }
+  if (has_pieces(body))
+    draw_outlines(page.canvas(), camera, body, {.width = line.outline_width, .color = line.outline});
 }
 
 void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,
@@ -128,16 +136,20 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
   const bool is_compound = body.shapes.size() > 1;
   // All outlines of a compound first, twice as wide; then the fills upon their inner halves.
   const Paint first{.fill = fill, .outline = line, .outline_width = is_compound ? 2 * width : width};
-  for (const Shape<double>& shape : body.shapes) paint_shape(canvas, camera, body.pose, shape, first);
+  for (const Shape<double>& shape : body.shapes) {
+    if (!is_piece(shape)) paint_shape(canvas, camera, body.pose, shape, first);
+  }
   if (is_compound) {
     const Paint second{.fill = fill, .outline = fill, .outline_width = 1};  // no seam between two pieces
     for (const Shape<double>& shape : body.shapes) {
       if (!is_line(shape)) paint_shape(canvas, camera, body.pose, shape, second);
     }
   }
+  if (has_pieces(body)) draw_outlines(canvas, camera, body, {.width = width, .color = line});
   const std::string name = name_of(look, id);
   const double size = name_size(page, camera, body, name);
-  draw_orientation(page, camera, body, size * (name.empty() ? 0 : text_reach(page, name)));
+  if (!has_pieces(body))
+    draw_orientation(page, camera, body, size * (name.empty() ? 0 : text_reach(page, name)));
 }
 
 void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id,

@@ -31,6 +31,11 @@ double area(const Outline& outline);  // [px^2]
 void paint_shape(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Shape<double>& shape,
                  const Paint& paint);
 
+/// Whether edge i of a shape, from its vertex i on, lies between two pieces of the body's outline.
+bool is_seam(const SnapshotBody& body, const Shape<double>& shape, int edge);
+/// The outlines that the body's pieces make up, and thin lines between the pieces.
+void draw_outlines(Canvas& canvas, const Camera& camera, const SnapshotBody& body, const Stroke& stroke);
+
 /// Its line, with short strokes on the side of its solid, as ground is marked in drawings of machines.
 void paint_chain(Canvas& canvas, const Camera& camera, const Pose<double>& pose, const Chain<double>& chain,
                  const Paint& paint);

@@ -9,6 +9,9 @@ namespace {
 
 // RowKey::source of contacts: joints have their ids.
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
+// Of a speed or an impulse: less is not told apart from nothing by solvers in the middle of their work.
+template <Scalar Real>
+constexpr Real slip_share = Real(1e-3);
 
 template <Scalar Real>
 std::uint64_t contact_source(const Manifold<Real>& manifold) {
@@ -34,6 +37,26 @@ template <Scalar Real>
 Vec3<Real> jacobian_of_b(const Contact<Real>& contact, const Vec2<Real>& point, const Vec2<Real>& direction) {
   const Vec2<Real> arm = point - contact.center_b;
   return {direction.x(), direction.y(), cross(arm, direction)};
+}
+
+/// [m] The larger one of the two bodies.
+template <Scalar Real>
+Real rolling_resistance(const Contact<Real>& contact, const VelocityProblem<Real>& problem) {
+  const PerBody<Real>& of = problem.rolling_resistance;
+  return of.empty() ? Real(0) : std::max(of[contact.a], of[contact.b]);
+}
+
+template <Scalar Real>
+bool has_rolling_row(const Contact<Real>& contact, const VelocityProblem<Real>& problem) {
+  return contact.manifold.count == 1 && rolling_resistance(contact, problem) > 0 &&
+         problem.inverse_mass[contact.a].z() + problem.inverse_mass[contact.b].z() > 0;
+}
+
+/// Of the points of a manifold.
+template <Scalar Real>
+Vec2<Real> middle_of(const Manifold<Real>& manifold) {
+  if (manifold.count == 1) return manifold.points[0].position;
+  return (manifold.points[0].position + manifold.points[1].position) / 2;
 }
 
 /// Where the rows of one contact go: over old ones where there are any, so every member is set.
@@ -85,6 +108,16 @@ struct ContactRows {
       row.bias = problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
     if (second_rows) second_rows->push_back({.bias = row.bias});
   }
+  void add_rolling(int normal_row) {
+    const ManifoldPoint<Real>& point = contact.manifold.points[0];
+    ConstraintRow<Real>& row = add(point.position, Vec2<Real>::Zero(), rolling_part(point.feature));
+    row.jacobian_a = {0, 0, -1};
+    row.jacobian_b = {0, 0, 1};
+    row.bounds = problem.rule.only_corrects
+                     ? Bounds<Real>::at_most(0)
+                     : Bounds<Real>::coulomb(rolling_resistance(contact, problem), normal_row);
+    if (second_rows) second_rows->push_back({});
+  }
 };
 
 }  // namespace
@@ -94,7 +127,8 @@ int contact_row_count(const Contact<Real>& contact, const VelocityProblem<Real>&
   if (problem.inverse_mass[contact.a].isZero(0) && problem.inverse_mass[contact.b].isZero(0)) return 0;
   const int points = contact.manifold.count;
   if (!(contact.friction > 0)) return points;
-  return shares_friction(contact, problem.friction_rows) ? points + 1 : 2 * points;
+  if (shares_friction(contact, problem.friction_rows)) return points + 1;
+  return 2 * points + (has_rolling_row(contact, problem) ? 1 : 0);
 }
 
 template <Scalar Real>
@@ -118,10 +152,41 @@ void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real thresh
 }
 
 template <Scalar Real>
+bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real friction, Real load) {
+  const Real limit = contact.friction * load;
+  if (std::abs(friction) < (1 - slip_share<Real>)*limit) return false;
+  const Vec2<Real> point = middle_of(contact.manifold), tangent = -perpendicular(contact.manifold.normal);
+  ConstraintRow<Real> row;
+  row.a = contact.a;
+  row.b = contact.b;
+  row.jacobian_a = jacobian_of_a(contact, point, tangent);
+  row.jacobian_b = jacobian_of_b(contact, point, tangent);
+  Real speed = row_velocity(problem, row);
+  if (!problem.surface_speed.empty())
+    speed -= problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
+  return std::abs(speed) > slip_share<Real> * limit * inverse_effective_mass(problem, row);
+}
+
+template <Scalar Real>
+bool comes_sliding(const Contact<Real>& contact, const VelocityProblem<Real>& problem,
+                   const PerBody<Vec3<Real>>& velocity) {
+  const Vec2<Real> point = middle_of(contact.manifold), normal = contact.manifold.normal;
+  const auto speed_along = [&](const Vec2<Real>& way) {
+    return dot(jacobian_of_a(contact, point, way), velocity[contact.a]) +
+           dot(jacobian_of_b(contact, point, way), velocity[contact.b]);
+  };
+  Real sliding = speed_along(-perpendicular(normal));
+  if (!problem.surface_speed.empty())
+    sliding -= problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
+  return std::abs(sliding) > slip_share<Real> * std::abs(speed_along(normal));
+}
+
+template <Scalar Real>
 void add_contact_blocks(VelocityProblem<Real>& problem, int& next) {
   for (const Contact<Real>& contact : problem.contacts) {
     const int count = contact_row_count(contact, problem);
-    const bool per_point = problem.friction_rows == FrictionRows::per_point || !(contact.friction > 0);
+    const bool per_point = (problem.friction_rows == FrictionRows::per_point || !(contact.friction > 0)) &&
+                           count <= 2 * contact.manifold.count;
     problem.blocks.push_back({next, count, per_point});
     next += count;
   }
@@ -134,16 +199,16 @@ void write_contact_rows(const Contact<Real>& contact, VelocityProblem<Real>& pro
   if (count == 0) return;
   ContactRows<Real> rows{contact, problem, next, second_rows};
   const auto& points = contact.manifold.points;
-  const bool per_point = count == 2 * contact.manifold.count;
+  const bool per_point = count >= 2 * contact.manifold.count;
   int normal_rows[2] = {Bounds<Real>::none, Bounds<Real>::none};
   for (int i = 0; i < contact.manifold.count; ++i) {
     normal_rows[i] = rows.add_normal(i);
     if (per_point)
       rows.add_friction(points[i].position, points[i].feature, normal_rows[i], Bounds<Real>::none);
   }
+  if (count > 2 * contact.manifold.count) rows.add_rolling(normal_rows[0]);
   if (per_point || count == contact.manifold.count) return;
-  const Vec2<Real> middle = (points[0].position + points[1].position) / 2;
-  rows.add_friction(middle, points[0].feature, normal_rows[0], normal_rows[1]);
+  rows.add_friction(middle_of(contact.manifold), points[0].feature, normal_rows[0], normal_rows[1]);
 }
 
 template <Scalar Real>
@@ -157,12 +222,18 @@ void write_contact_rows(VelocityProblem<Real>& problem, List<SecondRow<Real>>* s
 
 template int contact_row_count(const Contact<float>&, const VelocityProblem<float>&);
 template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
+template bool slides(const Contact<float>&, const VelocityProblem<float>&, float, float);
+template bool comes_sliding(const Contact<float>&, const VelocityProblem<float>&,
+                            const PerBody<Vec3<float>>&);
 template void add_contact_blocks(VelocityProblem<float>&, int&);
 template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&,
                                  List<SecondRow<float>>*);
 template void write_contact_rows(VelocityProblem<float>&, List<SecondRow<float>>*);
 template int contact_row_count(const Contact<double>&, const VelocityProblem<double>&);
 template void meet(Contact<double>&, const PerBody<Vec3<double>>&, double, const VelocityProblem<double>&);
+template bool slides(const Contact<double>&, const VelocityProblem<double>&, double, double);
+template bool comes_sliding(const Contact<double>&, const VelocityProblem<double>&,
+                            const PerBody<Vec3<double>>&);
 template void add_contact_blocks(VelocityProblem<double>&, int&);
 template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&,
                                  List<SecondRow<double>>*);

@@ -6,7 +6,8 @@
 namespace cairn {
 
 /// How many rows a contact of a problem has: of every point the normal row, and where there is friction a row
-/// of friction behind it, or one behind both. None between bodies that nothing moves.
+/// of friction behind it, or one behind both; behind those of a single point that of rolling resistance, if
+/// there is any. None between bodies that nothing moves.
 template <Scalar Real>
 int contact_row_count(const Contact<Real>& contact, const VelocityProblem<Real>& problem);
 
@@ -14,10 +15,19 @@ int contact_row_count(const Contact<Real>& contact, const VelocityProblem<Real>&
 constexpr std::uint64_t normal_part(std::uint32_t feature) { return std::uint64_t{feature} << 1; }
 /// The part of the friction row behind normal_part(feature).
 constexpr std::uint64_t friction_part(std::uint32_t feature) { return normal_part(feature) | 1; }
+/// Whether a part is that of a normal row.
+constexpr bool is_normal_part(std::uint64_t part) { return (part & 1) == 0 && part >> 33 == 0; }
+/// Whether it is that of a friction row.
+constexpr bool is_friction_part(std::uint64_t part) { return (part & 1) == 1; }
+/// The part of the row of rolling resistance behind these.
+constexpr std::uint64_t rolling_part(std::uint32_t feature) {
+  return normal_part(feature) | std::uint64_t{1} << 33;
+}
 /// RowKey::part of the k-th of so many rows of a contact.
 template <Scalar Real>
 std::uint64_t contact_part(const Manifold<Real>& manifold, int rows, int k) {
-  const bool per_point = rows == 2 * manifold.count;
+  if (k == 2 && manifold.count == 1) return rolling_part(manifold.points[0].feature);
+  const bool per_point = rows >= 2 * manifold.count;
   if (!per_point && k >= manifold.count) return friction_part(manifold.points[0].feature);
   const std::uint32_t feature = manifold.points[per_point ? k / 2 : k].feature;
   return per_point && k % 2 == 1 ? friction_part(feature) : normal_part(feature);
@@ -32,6 +42,17 @@ template <Scalar Real>
 void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real threshold,
           const VelocityProblem<Real>& problem);
 
+/// Whether the surfaces of a contact slide at the velocities of its problem, where its rows of friction gave
+/// `friction` and its normal rows `load` [N s]: friction gives all that it may, and leaves them a speed that
+/// it could not have taken. Both are judged to a thousandth, for solvers are seldom more exact.
+template <Scalar Real>
+bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real friction, Real load);
+/// Whether surfaces that have not touched yet come in sliding at these velocities: faster along each other
+/// than a thousandth of their speed.
+template <Scalar Real>
+bool comes_sliding(const Contact<Real>& contact, const VelocityProblem<Real>& problem,
+                   const PerBody<Vec3<Real>>& velocity);
+
 /// Puts a block for each contact of the problem behind its blocks. `next` is the row behind theirs; it goes
 /// on behind those of the contacts.
 template <Scalar Real>
@@ -41,12 +62,14 @@ void add_contact_blocks(VelocityProblem<Real>& problem, int& next);
 /// from a to b and tangent t (n turned by -90 degrees: right, where n is up):
 ///   normal    C = separation >= 0,  j = (-n, -(r_a x n), n, r_b x n),  impulse >= 0
 ///   friction  no C,                 j = (-t, -(r_a x t), t, r_b x t),  |impulse| <= mu * normal impulse
+///   rolling   no C,                 j = (0, -1, 0, 1),               |impulse| <= mu_r * normal impulse
 /// Normal before friction, so that friction sees the normal impulse of the same sweep. No friction row where
 /// mu is 0. A friction row for a whole manifold acts in the middle between its points and may take mu times
 /// the sum of their normal impulses: the same forces, as both points slide along the same line, in fewer rows
-/// and with a J of full rank. Bias and softness of normal rows are those of contact_bias() and
-/// spring_softness(), by the problem's rule. Source: E. Catto, Iterative Dynamics with Temporal Coherence
-/// (2005).
+/// and with a J of full rank. Two points are a face that stands, and no rolling
+/// row is theirs: their normal impulses are a moment already. Bias and softness of normal rows are those of
+/// contact_bias() and spring_softness(), by the problem's rule. Source: E. Catto, Iterative Dynamics with
+/// Temporal Coherence (2005).
 ///
 /// Rows go over those from `next` on; `next` is then the row behind them. Behind `second_rows` comes what
 /// each is in a second solve; null: nobody asks.

@@ -174,6 +174,7 @@ struct VelocityProblem {
   RowRule<Real> rule = {};                               // how errors of contacts go
   FrictionRows friction_rows = FrictionRows::per_point;  // of contacts
   PerBody<Real> surface_speed = {};                      // n [m/s]; none where no surface runs
+  PerBody<Real> rolling_resistance = {};                 // n [m]; none where nothing resists rolling
   bool is_second = false;                 // the second solve: of what contacts ask for only rebounds stay
   PerBody<Vec3<Real>> inverse_mass = {};  // n, the diagonal of M^-1 (2)
   PerBody<Vec3<Real>> velocity = {};      // n; in: v_1 with gravity already applied; out: v_2 (11)

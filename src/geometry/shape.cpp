@@ -75,7 +75,8 @@ void require_convex(const List<Vec2<double>>& points, const List<int>& order) {
     const Vec2<double> after = (points[order[(i + 1) % count]] - corner).normalized();
     const double sine = cross<double>(before, after);
     const std::string field = fmt::format("points[{}]", order[i]);
-    require(sine >= -finest_detail, "polygon", field, "a corner that turns outwards (convex)", text(corner));
+    require(sine >= -finest_detail, "polygon", field,
+            "a corner that turns outwards (convex; several convex shapes make up others)", text(corner));
     require(sine > finest_detail, "polygon", field, "out of line with its neighbours", text(corner));
     turned += arc_tangent(sine, before.dot(after));
   }
@@ -150,6 +151,7 @@ struct Caster {
     vertices.reserve(shape.vertices.size());
     for (const Vec2<double>& vertex : shape.vertices) vertices.push_back(cast(vertex));
     Polygon<Real> result = without_normals(std::move(vertices), static_cast<Real>(shape.radius));
+    result.is_piece = shape.is_piece;
     set_normals(shape, result);
     return result;
   }

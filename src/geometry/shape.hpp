@@ -40,6 +40,7 @@ struct Polygon {
   List<Vec2<Real>> vertices = {};  // [m]
   List<Vec2<Real>> normals = {};   // as many; normals[i]: outward, of the edge i -> i + 1
   Real radius = 0;                 // [m]
+  bool is_piece = false;           // of an outline: on the inner side of its edges may lie other pieces
 
   /// Member by member.
   bool operator==(const Polygon&) const = default;
@@ -101,6 +102,19 @@ Polygon<double> box(double width, double height, double radius = 0);
 /// non-convex points, no area, or radius < 0.
 Polygon<double> polygon(const List<Vec2<double>>& points, double radius = 0);
 
+/// As many corners as an outline may have.
+inline constexpr int max_outline_vertices = 500;
+
+/// A body of any outline without holes, in either turning sense: convex polygons that fill it, side by side,
+/// which are pieces of one another's surface. One polygon where it is convex and has at most 16 corners. The
+/// outline is cut into triangles, ear by ear, each time the least slender one that can be cut off (G.
+/// Meisters, Polygons Have Ears, 1975); then diagonals are left out as long as what they part is convex
+/// together (S. Hertel and K. Mehlhorn, Fast Triangulation of Simple Polygons, 1983): at most four times as
+/// many pieces as there have to be.
+/// @throws std::invalid_argument with fewer than 3 or more than 500 points, two equal points, a corner in
+/// line with its neighbours, edges that meet, and no area.
+List<Shape<double>> outline(const List<Vec2<double>>& points);
+
 /// @throws std::invalid_argument when the points coincide.
 Segment<double> segment(const Vec2<double>& point1, const Vec2<double>& point2);
 
@@ -121,6 +135,12 @@ template <Scalar Real>
 int piece_count(const Shape<Real>& shape) {
   const Chain<Real>* chain = std::get_if<Chain<Real>>(&shape);
   return chain == nullptr ? 1 : chain->link_count();
+}
+
+/// Whether a shape is a piece of an outline().
+inline bool is_piece(const Shape<double>& shape) {
+  const auto* const polygon = std::get_if<Polygon<double>>(&shape);
+  return polygon != nullptr && polygon->is_piece;
 }
 
 /// The same shape moved by `offset`, turned by `angle` around the origin first.

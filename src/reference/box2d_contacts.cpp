@@ -58,6 +58,25 @@ Box2DContacts::Parts Box2DContacts::parts_of(const b2Contact& contact) {
   return std::minmax({part_a(contact), part_b(contact)});
 }
 
+Box2DContacts::Box2DContacts(const Scene& scene) : mixing_(scene.settings().mixing) {
+  for (const BodyId id : scene.bodies().indices()) {
+    const BodySpec& spec = scene.bodies()[id].spec;
+    for (const Shape<double>& shape : spec.shapes)
+      surfaces_.resize(surfaces_.size() + piece_count(shape), {id, spec.material});
+  }
+}
+
+/// Box2D asks anew in every step; friction and restitution by its own rules it has from its fixtures.
+void Box2DContacts::describe(b2Contact& contact, const Parts& parts) const {
+  const Surface& a = surfaces_[parts.first / most_box2d_parts];
+  const Surface& b = surfaces_[parts.second / most_box2d_parts];
+  contact.SetTangentSpeed(static_cast<float>(a.material.surface_speed + b.material.surface_speed));
+  if (mixing_.is_usual()) return;
+  const PairSurface surface = mixed(mixing_, a.body, a.material, b.body, b.material);
+  contact.SetFriction(static_cast<float>(surface.friction));
+  contact.SetRestitution(static_cast<float>(surface.restitution));
+}
+
 void Box2DContacts::begin_step() {
   ++step_;
   for (auto& [parts, touching] : touching_) {
@@ -71,8 +90,7 @@ void Box2DContacts::EndContact(b2Contact* contact) { touching_.erase(parts_of(*c
 /// the points that are known already stay where they were.
 void Box2DContacts::PreSolve(b2Contact* contact, const b2Manifold* old_manifold) {
   const Parts parts = parts_of(*contact);
-  contact->SetTangentSpeed(static_cast<float>(surface_speeds_[parts.first / most_box2d_parts] +
-                                              surface_speeds_[parts.second / most_box2d_parts]));
+  describe(*contact, parts);
   Touching& touching = touching_[parts];
   if (touching.step != step_) touching = {.step = step_};
   b2WorldManifold world;

@@ -17,8 +17,8 @@ namespace cairn {
 /// move on with the bodies, and their impulses leave out what continuous collision adds.
 class Box2DContacts final : public b2ContactListener {
  public:
-  /// Of surfaces that run with these speeds [m/s], one for each collider.
-  explicit Box2DContacts(List<double> surface_speeds) : surface_speeds_(std::move(surface_speeds)) {}
+  /// Of this scene's surfaces.
+  explicit Box2DContacts(const Scene& scene);
 
   /// Forgets that contacts were new. Those that Box2D does not report in this step, because their bodies
   /// sleep, stay as they are.
@@ -26,7 +26,7 @@ class Box2DContacts final : public b2ContactListener {
 
   /// Forgets the contact.
   void EndContact(b2Contact* contact) override;
-  /// Notes where its points are before they are solved, and tells Box2D how fast surfaces run.
+  /// Notes where its points are before they are solved, and tells Box2D what surfaces are like.
   void PreSolve(b2Contact* contact, const b2Manifold* old_manifold) override;
   /// Adds the impulses [N s] that it was given.
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
@@ -43,11 +43,17 @@ class Box2DContacts final : public b2ContactListener {
     int step = 0;
     List<Point> points = {};
   };
+  struct Surface {
+    BodyId body = {};
+    Material material = {};
+  };
   using Parts = std::pair<int, int>;  // of shapes: most_box2d_parts numbers for each collider
 
+  void describe(b2Contact& contact, const Parts& parts) const;
   static Parts parts_of(const b2Contact& contact);
 
-  List<double> surface_speeds_;
+  List<Surface> surfaces_;  // of each collider
+  Mixing mixing_;
   int step_ = 0;
   std::map<Parts, Touching> touching_;
 };

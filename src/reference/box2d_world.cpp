@@ -11,6 +11,7 @@
 #include <cairn/reference/box2d_acting.hpp>
 #include <cairn/reference/box2d_contacts.hpp>
 #include <cairn/reference/box2d_shapes.hpp>
+#include <cairn/world/plan.hpp>
 #include <cairn/world/scene_length.hpp>
 #include <cairn/world/scene_snapshot.hpp>
 #include <cairn/math/list.hpp>
@@ -96,14 +97,14 @@ void check_event(const SceneEvent& event) {
           "a removal or an impulse, as its joints have no motor", "a motor");
 }
 
-/// [m/s] Of each collider.
-List<double> surface_speeds(const Scene& scene) {
-  List<double> speeds;
-  for (const SceneBody& body : scene.bodies()) {
-    for (const Shape<double>& shape : body.spec.shapes)
-      speeds.resize(speeds.size() + piece_count(shape), body.spec.material.surface_speed);
-  }
-  return speeds;
+void check_surfaces(const Scene& scene) {
+  const Plan plan = make_plan(scene);
+  require(!plan.surfaces.static_friction, "Box2DWorld", "static_friction",
+          "that of sliding, as Box2D has one coefficient", "more");
+  require(!plan.surfaces.impact_sequence, "Box2DWorld", "impacts", "at once, as Box2D has no other law",
+          "a sequence");
+  require(!plan.surfaces.rolling_resistance, "Box2DWorld", "rolling_resistance", "0, as Box2D 2.4.1 has none",
+          "more");
 }
 
 }  // namespace
@@ -127,12 +128,10 @@ struct Box2DWorld::Simulation {
 };
 
 Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& the_settings)
-    : scene(the_scene),
-      settings(the_settings),
-      contacts(surface_speeds(scene)),
-      world(to_box2d(scene.settings().gravity)) {
+    : scene(the_scene), settings(the_settings), contacts(scene), world(to_box2d(scene.settings().gravity)) {
   check(settings);
   for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
+  check_surfaces(scene);
   for (const SceneEvent& event : scene.events()) check_event(event);
   world.SetContactListener(&contacts);
   world.SetWarmStarting(scene.settings().warm_start);

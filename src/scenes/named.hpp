@@ -61,6 +61,17 @@ inline NamedList<BodyType> named_values(BodyType) {
 inline NamedList<FrictionRows> named_values(FrictionRows) {
   return {{FrictionRows::per_point, "per-point"}, {FrictionRows::per_manifold, "per-manifold"}};
 }
+inline NamedList<Impacts> named_values(Impacts) {
+  return {{Impacts::at_once, "at-once"}, {Impacts::sequence, "sequence"}};
+}
+inline NamedList<MixingRule> named_values(MixingRule) {
+  using enum MixingRule;
+  return {{geometric_mean, "geometric-mean"},
+          {minimum, "minimum"},
+          {average, "average"},
+          {maximum, "maximum"},
+          {product, "product"}};
+}
 inline NamedList<JointCollision> named_values(JointCollision) {
   using enum JointCollision;
   return {{as_usual, "as-usual"}, {on, "on"}, {off, "off"}};

@@ -29,13 +29,20 @@ ChainEnds chain_ends(const SceneTable& table) {
   return ends;
 }
 
+/// One that is rounded must be convex: rounded pieces would lie over each other.
+List<Shape<double>> make_scene_polygon(const SceneTable& table) {
+  const List<Vec2<double>> points = table.get<List<Vec2<double>>>("polygon");
+  const double radius = table.get<double>("radius");
+  if (radius > 0) return {polygon(points, radius)};
+  return outline(points);
+}
+
 Shape<double> make_scene_shape(const SceneTable& table, const std::string& key) {
   const double radius = table.get<double>("radius");
   if (key == "circle") return circle(table.get<double>("circle"));
   if (key == "box")
     return box(table.get<Vec2<double>>("box").x(), table.get<Vec2<double>>("box").y(), radius);
   const List<Vec2<double>> points = table.get<List<Vec2<double>>>(key);
-  if (key == "polygon") return polygon(points, radius);
   if (key == "chain") return chain(points, chain_ends(table));
   if (points.size() != 2) table.refuse(key, "two points [[x, y], [x, y]]");
   if (key == "segment") return segment(points[0], points[1]);
@@ -53,8 +60,10 @@ void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
     if (shape.empty())
       part.refuse("", "a shape: box, circle, capsule, polygon, segment or chain", "none of them");
     const bool is_moved = part.has("offset") || part.has("turn");
-    spec.shapes.push_back(
-        is_moved ? moved(shape[0], part.get<Vec2<double>>("offset"), part.get<double>("turn")) : shape[0]);
+    for (const Shape<double>& piece : shape) {
+      spec.shapes.push_back(
+          is_moved ? moved(piece, part.get<Vec2<double>>("offset"), part.get<double>("turn")) : piece);
+    }
   }
   const BodyId body = builder.add(
       table, spec, table.has("name") ? builder.claim_name(table, "") : "body." + std::to_string(number));
@@ -78,8 +87,24 @@ List<Shape<double>> shape_of(const SceneTable& table) {
     table.refuse("radius", "beside a box, capsule or polygon; a disc is circle = its radius");
   }
   List<Shape<double>> shapes;
-  if (!key.empty()) table.guard([&] { shapes.push_back(make_scene_shape(table, key)); });
+  if (key == "polygon") {
+    table.guard([&] { shapes = make_scene_polygon(table); });
+  } else if (!key.empty()) {
+    table.guard([&] { shapes.push_back(make_scene_shape(table, key)); });
+  }
   return shapes;
+}
+
+void read_contacts(SceneBuilder& builder, const SceneTable& file) {
+  for (const SceneTable& table : file.tables("contact")) {
+    PairMaterial pair;
+    table.read(pair);
+    if (!pair.friction && !pair.static_friction && !pair.restitution)
+      table.refuse("", "one with friction, static_friction or restitution", "none of them");
+    pair.a = builder.names().bodies(table, "a");
+    pair.b = builder.names().bodies(table, "b");
+    builder.add(table, pair);
+  }
 }
 
 void build_bodies(SceneBuilder& builder, const SceneTable& table, int number) {

@@ -72,6 +72,12 @@ void SceneBuilder::add(const SceneTable& table, const SceneEvent& event) {
   table.guard([&] { scene_.add(event); });
 }
 
+void SceneBuilder::add(const SceneTable& table, const PairMaterial& pair) {
+  SceneSettings settings = scene_.settings();
+  settings.mixing.pairs.push_back(pair);
+  table.guard([&] { scene_.set_settings(settings); });
+}
+
 void SceneBuilder::displace(const SceneTable& table, BodyId body) {
   last_.push_back([this, table, body] {
     table.guard([&] {

@@ -35,6 +35,9 @@ class SceneBuilder {
   /// Moves a body as its table says once all joints are there, so that they begin with an error.
   void displace(const SceneTable& table, BodyId body);
   void finish();
+  /// What is known of two surfaces together, once finish() was called. @throws std::invalid_argument as
+  /// Scene::set_settings.
+  void add(const SceneTable& table, const PairMaterial& pair);
   /// What is to happen, once finish() was called. @throws std::invalid_argument as Scene::add.
   void add(const SceneTable& table, const SceneEvent& event);
   /// Nothing else has the name.
@@ -96,6 +99,8 @@ void build_joint(SceneBuilder& builder, const SceneContext& context, const Scene
 Fields fields_of(const SceneTable& file, Fields fields);
 /// Every [[force]] and [[path]] of the file, once all bodies are there.
 void build_acting(SceneBuilder& builder, const SceneTable& file);
+/// Every [[contact]] of the file, once all bodies are there.
+void read_contacts(SceneBuilder& builder, const SceneTable& file);
 /// Every [[event]] of the file, once all bodies and joints are there.
 void build_events(SceneBuilder& builder, const SceneTable& file);
 /// Every [[expect.body]] of the file, once the events are known.

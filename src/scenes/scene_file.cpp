@@ -104,6 +104,7 @@ SceneEntry read_scene_text(const std::string& text, const std::string& file) {
   build_items(builder, context, items_of(table, root));
   for (const SceneTable& surface : table.tables("ground")) builder.add_ground(surface);
   build_acting(builder, table);
+  read_contacts(builder, table);
   build_events(builder, table);
 
   SceneEntry entry;

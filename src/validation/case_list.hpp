@@ -42,6 +42,7 @@ void add_silo_cases(ValidationCases& cases);       // B37
 void add_puck_cases(ValidationCases& cases);       // B38
 void add_rocking_cases(ValidationCases& cases);    // B40
 void add_string_cases(ValidationCases& cases);     // B41
+void add_contact_cases(ValidationCases& cases);    // B45-B49
 void add_field_cases(ValidationCases& cases);      // B50-B54
 
 }  // namespace cairn

@@ -9,11 +9,12 @@ namespace cairn {
 /// What a body has from its scene, and never changes.
 template <Scalar Real>
 struct BodyTraits {
-  Real slop_limit = 0;       // [m] a share of the smallest shape
-  Real failed_error = 0;     // [m] likewise: deeper in another, it is on its way through
-  double friction_root = 0;  // sqrt(mu): a pair's mu is the product of two
-  Real surface_speed = 0;    // [m/s]
-  Real radius = 0;           // [m] of a circle around all shapes, about the centre of mass
+  Real slop_limit = 0;          // [m] a share of the smallest shape
+  Real failed_error = 0;        // [m] likewise: deeper in another, it is on its way through
+  double friction_root = 0;     // sqrt(mu): a pair's mu is the product of two
+  Real surface_speed = 0;       // [m/s]
+  Real rolling_resistance = 0;  // [m]
+  Real radius = 0;              // [m] of a circle around all shapes, about the centre of mass
 
   /// Member by member.
   bool operator==(const BodyTraits&) const = default;
@@ -31,6 +32,11 @@ class BodyKinds {
   void copy_surface_speeds(PerBody<Real>& speeds) const {
     speeds.clear();
     for (const int kind : kind_) speeds.push_back(traits_[kind].surface_speed);
+  }
+  /// [m] Of all bodies.
+  void copy_rolling_resistances(PerBody<Real>& resistances) const {
+    resistances.clear();
+    for (const int kind : kind_) resistances.push_back(traits_[kind].rolling_resistance);
   }
   /// As apply_gravity().
   void pull(PerBody<Vec3<Real>>& velocity, const PerBody<Vec3<Real>>& inverse_mass, const Vec2<Real>& gravity,

@@ -93,7 +93,9 @@ void set_neighbours(const Scene& scene, List<Collider<Real>>& colliders) {
   for (const BodyId id : scene.bodies().indices()) {
     const SceneBody& body = scene.bodies()[id];
     for (const Shape<double>& shape : body.spec.shapes) {
-      if (body.spec.type != BodyType::dynamic && !std::holds_alternative<Chain<double>>(shape)) {
+      const bool is_still =
+          body.spec.type != BodyType::dynamic && !std::holds_alternative<Chain<double>>(shape);
+      if (is_piece(shape) || is_still) {
         still.push_back({&shape, body.pose, groups.of(id, body.spec)});
         places.push_back(next);
       }

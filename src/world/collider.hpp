@@ -26,7 +26,8 @@ struct Collider {
 };
 
 /// In the order of bodies, their shapes, and links. Static shapes have the neighbours that collide with the
-/// same bodies as they do; shapes of a kinematic body, and links of a chain, have each other.
+/// same bodies as they do; shapes of a kinematic body, links of a chain, and pieces of an outline have each
+/// other.
 template <Scalar Real>
 List<Collider<Real>> make_colliders(const Scene& scene);
 

@@ -19,6 +19,16 @@ bool has_same_neighbours(const Collider<Real>& one, const Collider<Real>& other)
   return *around == *around_other;
 }
 
+template <Scalar Real>
+bool strikes(const Contact<Real>& contact) {
+  return contact.rigid[0] || (contact.manifold.count > 1 && contact.rigid[1]);
+}
+
+PairSurface surface_between(const Scene& scene, BodyId a, BodyId b) {
+  return mixed(scene.settings().mixing, a, scene.bodies()[a].spec.material, b,
+               scene.bodies()[b].spec.material);
+}
+
 }  // namespace
 
 template <Scalar Real>
@@ -34,11 +44,13 @@ ContactCache<Real>::ContactCache(List<Collider<Real>> colliders, const Scene& sc
 template <Scalar Real>
 void ContactCache<Real>::find(const Substep<Real>& step, StepRecord<Real>& record) {
   ContactFinder<Real>(step, *this, record).find();
+  if (step.plan.surfaces.static_friction) choose_friction(step, record.problem);
 }
 
 template <Scalar Real>
 void ContactCache<Real>::move(const Substep<Real>& step, StepRecord<Real>& record) {
   ContactFinder<Real>(step, *this, record).move();
+  if (step.plan.surfaces.static_friction) choose_friction(step, record.problem);
 }
 
 template <Scalar Real>
@@ -73,14 +85,48 @@ void ContactCache<Real>::start(const Substep<Real>& step, StepRecord<Real>& reco
 }
 
 template <Scalar Real>
-void ContactCache<Real>::remember(const StepRecord<Real>& record) {
+void ContactCache<Real>::remember(const Plan& plan, const StepRecord<Real>& record) {
   const VelocityProblem<Real>& problem = record.problem;
+  if (plan.surfaces.static_friction) remember_sliding(problem);
   const int joints = problem.joint_blocks();
   for (int i = 0; i < problem.contacts.size(); ++i) {
     const RowBlock& block = problem.blocks[joints + i];
     const Manifold<Real>& manifold = problem.contacts[i].manifold;
     const auto part = [&](int k) { return contact_part(manifold, block.count, k); };
     remember_rows(graph_[touching_[i]].impulses, block, part, problem);
+    // What an impact took is no load, which would begin the next substep.
+    if (plan.surfaces.impact_sequence && strikes(problem.contacts[i]))
+      graph_[touching_[i]].impulses.count = 0;
+  }
+}
+
+/// What sticks may have its static coefficient: contacts come with that of sliding.
+template <Scalar Real>
+void ContactCache<Real>::choose_friction(const Substep<Real>& step, VelocityProblem<Real>& problem) {
+  for (int i = 0; i < problem.contacts.size(); ++i) {
+    Contact<Real>& contact = problem.contacts[i];
+    CachedContact<Real>& cached = graph_[touching_[i]];
+    if (cached.impulses.count == 0) cached.slides = comes_sliding(contact, problem, step.state.velocity);
+    if (!cached.slides)
+      contact.friction = static_cast<Real>(surface_between(step.scene, contact.a, contact.b).static_friction);
+  }
+}
+
+/// Keeps which contacts slide, for the next substep.
+template <Scalar Real>
+void ContactCache<Real>::remember_sliding(const VelocityProblem<Real>& problem) {
+  const int joints = problem.joint_blocks();
+  for (int i = 0; i < problem.contacts.size(); ++i) {
+    const RowBlock& block = problem.blocks[joints + i];
+    const Contact<Real>& contact = problem.contacts[i];
+    Real load = 0, friction = 0;
+    for (int k = 0; k < block.count; ++k) {
+      const std::uint64_t part = contact_part(contact.manifold, block.count, k);
+      const Real impulse = problem.impulse[block.first + k];
+      if (is_normal_part(part)) load += impulse;
+      if (is_friction_part(part)) friction += impulse;
+    }
+    graph_[touching_[i]].slides = slides(contact, problem, friction, load);
   }
 }
 
@@ -97,6 +143,7 @@ void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> 
     if (a < 0 || b < 0 || !may_meet(step.scene, a, b)) continue;
     CachedContact<Real> cached = make_contact(step, a, b);
     cached.impulses = old.impulses;
+    cached.slides = old.slides;
     contacts.push_back(cached);
     if (!before.graph_.keeps_manifolds()) continue;
     manifolds.push_back(before.graph_.manifold(near.contact));
@@ -127,6 +174,11 @@ CachedContact<Real> ContactCache<Real>::make_contact(const Substep<Real>& step, 
   cached.sensed = spec_a.sensor || spec_b.sensor;
   cached.friction = static_cast<Real>(of_a.friction_root * of_b.friction_root);
   cached.restitution = static_cast<Real>(std::max(spec_a.material.restitution, spec_b.material.restitution));
+  if (!step.scene.settings().mixing.is_usual()) {
+    const PairSurface surface = surface_between(step.scene, a, b);
+    cached.friction = static_cast<Real>(surface.friction);
+    cached.restitution = static_cast<Real>(surface.restitution);
+  }
   cached.slop_limit = std::min(of_a.slop_limit, of_b.slop_limit);
   return cached;
 }

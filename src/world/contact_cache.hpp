@@ -37,8 +37,8 @@ class ContactCache {
                      PerBody<Vec3<Real>>& stiffness) const;
   /// Gives the contacts of the record on what they gave in the last step.
   void start(const Substep<Real>& step, StepRecord<Real>& record) const;
-  /// Keeps what they gave.
-  void remember(const StepRecord<Real>& record);
+  /// Keeps what they gave, and which of them slide where the plan asks for it.
+  void remember(const Plan& plan, const StepRecord<Real>& record);
 
   /// Takes over what contacts of a world gave that was edited: `numbers` has for each shape that it had the
   /// number now, or -1.
@@ -57,6 +57,8 @@ class ContactCache {
   friend class ContactFinder;
 
   bool may_meet(const Scene& scene, int collider_a, int collider_b) const;
+  void remember_sliding(const VelocityProblem<Real>& problem);
+  void choose_friction(const Substep<Real>& step, VelocityProblem<Real>& problem);
   CachedContact<Real> make_contact(const Substep<Real>& step, int collider_a, int collider_b) const;
 
   std::shared_ptr<const List<Collider<Real>>> colliders_;

@@ -47,6 +47,19 @@ bool any_may_meet(const Scene& scene) {
   return false;
 }
 
+/// What follows from `rubbing_bodies` with mu > 0 by the rule that mixes them, and from what is known of
+/// pairs.
+void add_pairs(const Mixing& mixing, int rubbing_bodies, Plan& plan) {
+  const bool is_one_enough = mixing.friction == MixingRule::average || mixing.friction == MixingRule::maximum;
+  plan.friction = rubbing_bodies > (is_one_enough ? 0 : 1);
+  for (const PairMaterial& pair : mixing.pairs) {
+    plan.friction |= pair.friction.value_or(0) > 0 || pair.static_friction.value_or(0) > 0;
+    plan.surfaces.static_friction |= pair.static_friction.value_or(0) > pair.friction.value_or(0);
+    plan.restitution |= pair.restitution.value_or(0) > 0;
+  }
+  plan.friction &= plan.collision;
+}
+
 SecondSolve second_solve(StabilizationPolicy policy, bool has_rows) {
   if (policy == StabilizationPolicy::soft) return SecondSolve::from_answer;
   if (policy == StabilizationPolicy::split_impulse) return SecondSolve::positions;
@@ -76,6 +89,37 @@ List<std::string> acting_on(const Scene& scene) {
   return names;
 }
 
+/// What slower approaches do not do is said: an elastic ball that comes to rest is a question often asked.
+std::string restitution_text(const Plan& plan) {
+  if (!plan.restitution) return "left out: e is 0 everywhere";
+  const double threshold = *plan.settings.restitution_threshold;
+  if (threshold == 0) return "e > 0 on some body";
+  return fmt::format("e > 0 on some body; what approaches more slowly than {:.3g} m/s does not rebound",
+                     threshold);
+}
+
+std::string mixing_text(const Mixing& mixing) {
+  const auto word = [](MixingRule rule) {
+    switch (rule) {
+      case MixingRule::geometric_mean:
+        return "geometric mean";
+      case MixingRule::minimum:
+        return "minimum";
+      case MixingRule::average:
+        return "average";
+      case MixingRule::maximum:
+        return "maximum";
+      case MixingRule::product:
+        break;
+    }
+    return "product";
+  };
+  const std::string pairs =
+      mixing.pairs.empty() ? "" : fmt::format("; {} for pairs of bodies", mixing.pairs.size());
+  return fmt::format("friction by the {}, restitution by the {} of two surfaces{}", word(mixing.friction),
+                     word(mixing.restitution), pairs);
+}
+
 }  // namespace
 
 Plan make_plan(const Scene& scene) {
@@ -95,10 +139,13 @@ Plan make_plan(const Scene& scene) {
     plan.collision |= dynamic && !spec.shapes.empty();
     plan.gravity |= dynamic && spec.gravity_scale != 0 && !scene.settings().gravity.isZero(0);
     plan.damping |= dynamic && (spec.damping.linear > 0 || spec.damping.angular > 0);
-    rubbing_bodies += spec.material.friction > 0 && !spec.shapes.empty();
+    const bool rubs = spec.material.holding_friction() > 0 && !spec.shapes.empty();
+    rubbing_bodies += rubs;
     plan.restitution |= spec.material.restitution > 0 && !spec.shapes.empty();
-    plan.surface_speed |=
-        spec.material.surface_speed != 0 && spec.material.friction > 0 && !spec.shapes.empty();
+    plan.surfaces.speed |= spec.material.surface_speed != 0 && (rubs || !scene.settings().mixing.is_usual());
+    plan.surfaces.static_friction |=
+        spec.material.holding_friction() > spec.material.friction && !spec.shapes.empty();
+    plan.surfaces.rolling_resistance |= spec.material.rolling_resistance > 0 && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
       plan.size.colliders += piece_count(shape);
       kinds.insert(shape_name(shape));
@@ -106,9 +153,12 @@ Plan make_plan(const Scene& scene) {
   }
   plan.size.acting = acting_on(scene);
   plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
-  plan.friction = plan.collision && rubbing_bodies > 1;
+  add_pairs(scene.settings().mixing, rubbing_bodies, plan);
   plan.restitution &= plan.collision;
-  plan.surface_speed &= plan.friction;
+  plan.surfaces.impact_sequence = plan.restitution && scene.settings().impacts == Impacts::sequence;
+  plan.surfaces.speed &= plan.friction;
+  plan.surfaces.static_friction &= plan.collision;
+  plan.surfaces.rolling_resistance &= plan.friction;
   plan.size.joints = scene.joints().size();
   plan.broadphase = plan.size.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   const SceneSettings& settings = scene.settings();
@@ -140,8 +190,14 @@ std::string explain(const Plan& plan) {
                                   per_point ? "one row a contact point, where mu > 0"
                                             : "one row a manifold, where mu > 0",
                                   "left out: no two bodies with mu > 0, no friction rows"));
-  text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
-  if (plan.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
+  text += line("restitution", restitution_text(plan));
+  if (plan.surfaces.static_friction)
+    text += line("static", "what sticks holds more than mu: each contact sticks or slides");
+  if (plan.surfaces.rolling_resistance)
+    text += line("rolling", "one row more where a body stands on one point: a moment resists");
+  if (!plan.settings.mixing.is_usual()) text += line("mixing", mixing_text(plan.settings.mixing));
+  if (plan.surfaces.impact_sequence) text += line("impacts", "one after the other, as bodies pass them on");
+  if (plan.surfaces.speed) text += line("surfaces", "some run like belts: friction asks for their speed");
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
   if (!plan.size.acting.empty()) text += line("also", fmt::format("{}", fmt::join(plan.size.acting, ", ")));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));

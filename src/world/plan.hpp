@@ -28,6 +28,14 @@ enum class SecondSolve {
   positions,    // velocities that move errors back and are forgotten
 };
 
+/// What surfaces have beside a coefficient of friction and one of restitution.
+struct SurfacePlan {
+  bool speed = false;               // some run, and rub on others
+  bool static_friction = false;     // some that stick hold more than mu
+  bool rolling_resistance = false;  // some resist rolling
+  bool impact_sequence = false;     // rebounds may be passed on from body to body
+};
+
 /// Decided from the scene alone, before the first step.
 struct Plan {
   SceneSettings settings = {};                            // with what the scene has left out
@@ -40,7 +48,7 @@ struct Plan {
   bool damping = false;                                   // some body has it
   bool friction = false;                                  // some pair of bodies with mu > 0
   bool restitution = false;                               // some body with e > 0
-  bool surface_speed = false;                             // some surface runs, and rubs on others
+  SurfacePlan surfaces = {};                              // and what else they have
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
   bool follows_arcs = false;                              // joints are asked to hold where a substep ends
@@ -48,7 +56,8 @@ struct Plan {
 
   /// Whether solvers that take contacts are given them without rows.
   bool contacts_without_rows() const {
-    const bool is_plain = !surface_speed && (settings.friction_rows == FrictionRows::per_point || !friction);
+    const bool is_plain = !surfaces.speed && !surfaces.rolling_resistance && !surfaces.impact_sequence &&
+                          (settings.friction_rows == FrictionRows::per_point || !friction);
     return collision && second_solve != SecondSolve::positions && is_plain;
   }
   /// Whether the second solve is one of velocities.

@@ -23,15 +23,6 @@ void require_weight(double value, const char* place, const char* field, const ch
   require(value >= 1e-15 && value <= 1e15, place, field, std::string("from 1e-15 to 1e15 ") + unit, value);
 }
 
-/// Huge coefficients are as good as infinite ones, and infinity times an impulse of 0 has no value.
-void require_friction(double value, const char* place) {
-  require(value >= 0 && value <= 1e6, place, "friction", "from 0 to 1e6", value);
-}
-
-void require_unit_interval(double value, const char* place, const char* field) {
-  require(value >= 0 && value <= 1, place, field, "in [0, 1]", value);
-}
-
 std::string text(const Vec2<double>& point) {
   return "(" + shortest(point.x()) + ", " + shortest(point.y()) + ")";
 }
@@ -52,9 +43,7 @@ void check_material(const BodySpec& spec, const char* place) {
   if (spec.inertia) require_weight(*spec.inertia, place, "inertia", "kg m^2");
   require(spec.density > 0 && std::isfinite(spec.density), place, "density", "> 0 kg/m^2 and finite",
           spec.density);
-  require_friction(spec.material.friction, place);
-  require_unit_interval(spec.material.restitution, place, "restitution");
-  require_finite(spec.material.surface_speed, place, "surface_speed", "m/s");
+  require_material(spec.material, place);
   require_range(spec.damping.linear, 0, place, "linear_damping", "1/s");
   require_range(spec.damping.angular, 0, place, "angular_damping", "1/s");
   require_range(spec.damping.quadratic, 0, place, "drag", "kg/m");
@@ -142,7 +131,8 @@ void check_fields(const Fields& fields) {
   require_finite(fields.water->flow, "Scene", "water.flow", "m/s");
 }
 
-void check_settings(const SceneSettings& settings) {
+void check_settings(const SceneSettings& settings, int bodies) {
+  require_mixing(settings.mixing, bodies);
   require_finite(settings.gravity, "Scene", "gravity", "m/s^2");
   check_fields(settings.fields);
   require_time_step(settings.dt, "Scene");
@@ -168,7 +158,7 @@ void check_settings(const SceneSettings& settings) {
 
 Scene::Scene(const SceneSettings& settings)
     : settings_(settings), bodies_(std::make_shared<PerBody<SceneBody>>(1)) {
-  check_settings(settings);
+  check_settings(settings, 1);
   own_bodies()[ground].spec.type = BodyType::static_body;
 }
 
@@ -186,7 +176,7 @@ PerBody<SceneBody>& Scene::own_bodies() {
 }
 
 void Scene::set_settings(const SceneSettings& settings) {
-  check_settings(settings);
+  check_settings(settings, bodies().size());
   settings_ = settings;
 }
 
@@ -240,9 +230,7 @@ BodyId Scene::add_ground(const GroundSpec& spec) {
           "> 0 m and finite", spec.half_width);
   require(spec.thickness > 0 && std::isfinite(spec.thickness), "Scene::add_ground", "thickness",
           "> 0 m and finite", spec.thickness);
-  require_friction(spec.material.friction, "Scene::add_ground");
-  require_unit_interval(spec.material.restitution, "Scene::add_ground", "restitution");
-  require_finite(spec.material.surface_speed, "Scene::add_ground", "surface_speed", "m/s");
+  require_material(spec.material, "Scene::add_ground");
   SceneBody& body = own_bodies()[ground];
   body.spec.material = spec.material;
   body.spec.shapes.push_back(

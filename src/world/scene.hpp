@@ -14,6 +14,7 @@
 #include <cairn/math/shared_list.hpp>
 #include <cairn/world/scene_event.hpp>
 #include <cairn/world/scene_joints.hpp>
+#include <cairn/world/scene_mixing.hpp>
 
 namespace cairn {
 
@@ -36,6 +37,12 @@ enum class ContactSearch {
   when_moved,     // pairs that have hardly moved beside each other keep what was found in an earlier step
 };
 
+/// What becomes of impacts that happen at the same time.
+enum class Impacts {
+  at_once,   // Newton's law for all of them together: of touching balls all that are struck part
+  sequence,  // one after the other where the bodies pass them on (world/impact_sequence.hpp)
+};
+
 /// What holds for the whole scene, and how it steps.
 struct SceneSettings {
   /// That a scene, its file or a flag may ask for.
@@ -55,23 +62,13 @@ struct SceneSettings {
   /// is 0.5 of bodies of 1 m; 0 without gravity.
   std::optional<double> restitution_threshold = {};
   FrictionRows friction_rows = FrictionRows::per_point;  // one for each point or for each manifold
+  Mixing mixing = {};                                    // what two surfaces have in common
+  Impacts impacts = Impacts::at_once;                    // where several bodies strike each other
   /// Bodies that have come to rest are left out of the steps until something wakes them. Off: none ever is.
   std::optional<Sleeping> sleeping = {};
 
   /// Member by member.
   bool operator==(const SceneSettings&) const = default;
-};
-
-/// What a surface is like. Where two touch, friction is sqrt(mu_a mu_b) and restitution max(e_a, e_b), as in
-/// Box2D.
-struct Material {
-  double friction = 0.6;     // mu
-  double restitution = 0;    // e, in [0, 1]
-  double surface_speed = 0;  // [m/s] with which it runs around its body, as a belt does: to the right where
-                             // it faces up
-
-  /// Member by member.
-  bool operator==(const Material&) const = default;
 };
 
 /// How fast a body loses velocity where nothing touches it.

@@ -25,7 +25,7 @@ void append_contact(const StepRecord<Real>& record, int i, List<SnapshotContact>
   const Manifold<Real>& manifold = contact.manifold;
   const RowBlock& block = problem.blocks[problem.joint_blocks() + i];
   if (block.count == 0) return;
-  const bool rubs_at_points = block.count == 2 * manifold.count;
+  const bool rubs_at_points = block.count >= 2 * manifold.count;
   const auto impulse = [&](int row) { return static_cast<double>(problem.impulse[row]); };
   for (int k = 0; k < manifold.count; ++k) {
     const ManifoldPoint<Real>& point = manifold.points[k];

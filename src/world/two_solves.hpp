@@ -4,6 +4,7 @@
 #include <cairn/math/list.hpp>
 #include <cairn/solvers/solver.hpp>
 #include <cairn/world/contact_cache.hpp>
+#include <cairn/world/impact_sequence.hpp>
 #include <cairn/world/joint_writer.hpp>
 #include <cairn/world/step_report.hpp>
 #include <cairn/world/substep.hpp>
@@ -40,6 +41,7 @@ class TwoSolves {
   void correct_positions(const Parts& parts, Solver<Real>& solver, StepReport& report);
 
   PerBody<Vec3<Real>> stiffness_;         // geometric: [N/m, N/m, N m/rad]
+  ImpactSequence<Real> impacts_;          // where a scene asks for it
   RowForces<Real> forces_;                // of a joint or a contact
   List<SecondRow<Real>> second_rows_;     // of those that are written, where they are solved twice
   VelocityProblem<Real> second_problem_;  // of positions

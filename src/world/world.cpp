@@ -113,7 +113,7 @@ void World<Real>::substep(int number, Solver<Real>& solver, const StepWatch<Real
   integrate_positions(state_, step.dt);  // 6  with the new velocities: semi-implicit Euler
   state_.velocity = staying;
   joints_.remember(step, record_.problem);  // 7
-  contacts_.remember(record_);
+  contacts_.remember(*plan_, record_);
   if (watch.impulses) watch.impulses->add(record_);
 }
 

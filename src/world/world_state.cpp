@@ -48,11 +48,22 @@ void require_place(const SceneBody& body, BodyId id, double smallest) {
   require_number<Real>(body.spec.angular_velocity, id, "angular_velocity");
 }
 
-/// [m] Infinite without shapes.
+/// [m] Infinite without shapes. Pieces of an outline are one shape, into however many it was cut.
 double smallest_extent(const BodySpec& spec) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Shape<double>& shape : spec.shapes) smallest = std::min(smallest, extent(shape));
-  return smallest;
+  const double infinity = std::numeric_limits<double>::infinity();
+  double smallest = infinity;
+  Aabb<double> pieces = {.lower = {infinity, infinity}, .upper = {-infinity, -infinity}};
+  for (const Shape<double>& shape : spec.shapes) {
+    if (!is_piece(shape)) {
+      smallest = std::min(smallest, extent(shape));
+      continue;
+    }
+    const Aabb<double> box = bounding_box(shape, Pose<double>{});
+    pieces.lower = pieces.lower.cwiseMin(box.lower);
+    pieces.upper = pieces.upper.cwiseMax(box.upper);
+  }
+  const double whole = (pieces.upper - pieces.lower).maxCoeff();
+  return whole > 0 ? std::min(smallest, whole) : smallest;
 }
 
 /// Springs that give way to a weight by half the length of a body let it through.
@@ -82,6 +93,7 @@ BodyTraits<Real> traits_of(const BodySpec& spec, double smallest, Real radius) {
           .failed_error = static_cast<Real>(failed_share * smallest),
           .friction_root = std::sqrt(spec.material.friction),
           .surface_speed = static_cast<Real>(spec.material.surface_speed),
+          .rolling_resistance = static_cast<Real>(spec.material.rolling_resistance),
           .radius = radius};
 }
 

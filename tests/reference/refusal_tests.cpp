@@ -43,6 +43,22 @@ TEST_CASE("sensors, and categories for which Box2D has no bit, are refused") {
         "Box2DWorld: category must be of the first 16 bits, as Box2D 2.4.1 has no more, got 65536");
 }
 
+TEST_CASE("Box2D has one coefficient of friction, no rolling resistance and one law of impacts") {
+  const auto with = [](const Material& material, Impacts impacts) {
+    Scene scene({.impacts = impacts});
+    scene.add_ground();
+    scene.add({.shapes = {circle(1)}, .position = {0, 1}, .material = material});
+    return refusal(scene);
+  };
+  CHECK(with({.static_friction = 0.8}, Impacts::at_once) ==
+        "Box2DWorld: static_friction must be that of sliding, as Box2D has one coefficient, got more");
+  CHECK(with({.rolling_resistance = 0.01}, Impacts::at_once) ==
+        "Box2DWorld: rolling_resistance must be 0, as Box2D 2.4.1 has none, got more");
+  CHECK(with({.restitution = 1}, Impacts::sequence) ==
+        "Box2DWorld: impacts must be at once, as Box2D has no other law, got a sequence");
+  CHECK(with({.restitution = 1}, Impacts::at_once).empty());
+}
+
 TEST_CASE("Box2D has no rounded polygons, and no polygons of more than 8 vertices") {
   CHECK(refusal(scene_with(box(1, 1, 0.1))) ==
         "Box2DWorld: polygon radius must be 0 m, as Box2D 2.4.1 does not round the corners of polygons, got "
