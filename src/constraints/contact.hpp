@@ -24,7 +24,7 @@ struct Contact {
   Manifold<Real> manifold = {};                             // between their shapes
   Vec2<Real> center_a = Vec2<Real>::Zero();                 // [m] of mass
   Vec2<Real> center_b = Vec2<Real>::Zero();                 // [m] of mass
-  Real friction = 0;                                        // mu
+  Real friction = 0;                                        // mu; of what sticks mu_s
   Real restitution = 0;                                     // e: separation speed over approach speed
   Real slop_limit = std::numeric_limits<Real>::infinity();  // [m] no slop above this
   FixedList<Real, 2> rebound = {};  // [m/s] with which each point parts that will meet; 0: it need not

@@ -164,6 +164,45 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a ball breaks a rack of ten: energy and momentum stay, and so does the mirror image") {
+  Scene scene({.gravity = {0, 0}, .impacts = Impacts::sequence});
+  const auto ball = [&scene](const Vec2<double>& place, double speed) {
+    return scene.add({.shapes = {circle(0.5)},
+                      .position = place,
+                      .velocity = {speed, 0},
+                      .mass = 1,
+                      .material = {.friction = 0, .restitution = 1}});
+  };
+  const BodyId cue = ball({-1, 0}, 5);
+  List<std::pair<BodyId, BodyId>> mirrored;
+  for (int row = 0; row < 4; ++row) {
+    List<BodyId> balls;
+    for (int k = 0; k <= row; ++k) balls.push_back(ball({row * std::sqrt(0.75), k - row / 2.0}, 0));
+    for (int k = 0; k <= row; ++k) mirrored.push_back({balls[k], balls[row - k]});
+  }
+  World<double> world(scene);
+  take_steps(world, 60, 20);
+  double momentum = velocity_of(world, cue).x(), energy = velocity_of(world, cue).squaredNorm();
+  CHECK(std::abs(velocity_of(world, cue).y()) <= 1e-9);
+  for (const auto& [one, other] : mirrored) {
+    const Vec3<double>&v = velocity_of(world, one), &w = velocity_of(world, other);
+    momentum += v.x();
+    energy += v.squaredNorm();
+    CHECK(std::abs(v.x() - w.x()) <= 1e-9);
+    CHECK(std::abs(v.y() + w.y()) <= 1e-9);
+  }
+  CHECK(momentum == doctest::Approx(5).epsilon(1e-9));
+  CHECK(energy == doctest::Approx(25).epsilon(1e-9));
+}
+
+TEST_CASE("a row of a hundred balls passes one on") {
+  Row row = {.masses = List<double>(100, 1.0), .speeds = List<double>(100, 0.0)};
+  row.speeds[0] = 1;
+  const List<double> speeds = speeds_after(row);
+  CHECK(std::abs(speeds[99] - 1) <= 1e-9);
+  for (int i = 0; i < 99; ++i) CHECK(std::abs(speeds[i]) <= 1e-9);
+}
+
 TEST_CASE("a ball that bounces alone does as without a sequence, bit by bit") {
   const auto end = [](Impacts impacts) {
     Scene scene({.impacts = impacts});
