@@ -52,6 +52,12 @@ class FrictionJoint final : public ConstraintOf<FrictionJoint> {
   JointTraits traits() const override { return {.holds_points = false}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
   bool bodies_collide() const override { return true; }
+  /// [N]
+  double max_force() const { return max_force_; }
+  /// [N m]
+  double max_torque() const { return max_torque_; }
+  /// Of the forces that it may have.
+  FrictionShape shape() const { return shape_; }
 
   /// Writes the rows that hold where bodies are, and as they move.
   template <Scalar Real>

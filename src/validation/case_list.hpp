@@ -42,5 +42,7 @@ void add_silo_cases(ValidationCases& cases);       // B37
 void add_puck_cases(ValidationCases& cases);       // B38
 void add_rocking_cases(ValidationCases& cases);    // B40
 void add_string_cases(ValidationCases& cases);     // B41
+void add_drive_cases(ValidationCases& cases);      // B60-B63
+void add_linkage_cases(ValidationCases& cases);    // B64-B67
 
 }  // namespace cairn
