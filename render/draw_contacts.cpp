@@ -252,8 +252,9 @@ void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot)
       continue;
     }
     draw_joint_marks(page, camera, snapshot, joint);
-    draw_ring(page, from);
-    if (is_apart) draw_ring(page, to);
+    const bool is_end = !(joint.traits.slides && joint.traits.has_spring);  // else the spring ends elsewhere
+    if (is_end) draw_ring(page, from);
+    if (is_apart || !is_end) draw_ring(page, to);
   }
 }
 

@@ -84,9 +84,9 @@ void draw_joint_marks(Page& page, const Camera& camera, const Snapshot& snapshot
   const Point middle = camera.project(joint.anchor_a), end = camera.project(joint.anchor_b);
   if (joint.traits.slides) {
     const bool is_grooved = has_groove(camera, joint);
-    if (is_grooved) draw_groove(page, camera.project(joint.groove[0]), camera.project(joint.groove[1]));
     if (joint.traits.has_spring)
-      draw_zigzag(page, is_grooved ? camera.project(joint.groove[1]) : middle, end);
+      return draw_zigzag(page, is_grooved ? camera.project(joint.groove[1]) : middle, end);
+    if (is_grooved) draw_groove(page, camera.project(joint.groove[0]), camera.project(joint.groove[1]));
     return;
   }
   const SnapshotBody* const b = body_of(snapshot, joint.b);

@@ -49,7 +49,7 @@ class FrictionJoint final : public ConstraintOf<FrictionJoint> {
   FrictionJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "friction"; }
-  JointTraits traits() const override { return {.holds_points = false}; }
+  JointTraits traits() const override { return {.holds_points = false, .box2d_rows = 3}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
   bool bodies_collide() const override { return true; }
   /// [N]

@@ -83,6 +83,8 @@ JointTraits JointCoordinate::marked(JointTraits traits) const {
   traits.has_servo |= motor_ && motor_->target;
   traits.has_spring |= spring_.has_value();
   traits.has_ratchet |= ratchet_.has_value();
+  traits.box2d_rows += motor_ ? 1 : 0;
+  traits.box2d_rows += limits_.lower || limits_.upper ? 2 : 0;
   return traits;
 }
 

@@ -33,6 +33,7 @@ class WeldJoint final : public ConstraintOf<WeldJoint> {
   WeldJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "weld"; }
+  JointTraits traits() const override { return {.box2d_rows = 3}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
   /// Where it is fastened.
   const JointEnds& ends() const { return ends_; }
