@@ -129,7 +129,7 @@ void draw_rod(Page& page, const Point& from, const Point& to) {
 
 /// Joints of angles and velocities have no line that shows them: their bodies do.
 bool is_seen(const Camera& camera, const SnapshotJoint& joint) {
-  return joint.traits.holds_points && is_finite(camera, joint.anchor_a) &&
+  return joint.traits.holds_points && joint.traits.is_shown && is_finite(camera, joint.anchor_a) &&
          is_finite(camera, joint.anchor_b) &&
          std::all_of(joint.between.begin(), joint.between.end(),
                      [&](const Vec2<double>& point) { return is_finite(camera, point); });
@@ -251,8 +251,10 @@ void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot)
       for (const Vec2<double>& roller : joint.between) draw_ring(page, camera.project(roller));
       continue;
     }
-    draw_ring(page, from);
-    if (is_apart) draw_ring(page, to);
+    draw_joint_marks(page, camera, snapshot, joint);
+    const bool is_end = !(joint.traits.slides && joint.traits.has_spring);  // else the spring ends elsewhere
+    if (is_end) draw_ring(page, from);
+    if (is_apart || !is_end) draw_ring(page, to);
   }
 }
 

@@ -68,6 +68,9 @@ void draw_outer_forces(Page& page, const Camera& camera, const Snapshot& snapsho
 void draw_joint_lines(Page& page, const Camera& camera, const Snapshot& snapshot);
 /// What is seen upon them: where the joints are fastened.
 void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot);
+/// What a joint has besides: the groove that it slides in, a spring, the teeth of a ratchet, the box of a
+/// servo.
+void draw_joint_marks(Page& page, const Camera& camera, const Snapshot& snapshot, const SnapshotJoint& joint);
 
 void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapshot);
 void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look);

@@ -10,6 +10,7 @@
 #include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
+#include <cairn/study/contestant.hpp>
 
 namespace cairn::sandbox {
 namespace {
@@ -92,6 +93,11 @@ void print_comparison(const Words& words, const SceneEntry& scene, const List<Sc
   const std::string common = setting.substr(std::min(setting.size(), setting.find(", ")));
   console.result(console.spelt(fmt::format("{}: {}, {:g} s{}", scene.name, scene.title, seconds, common)));
   print_runs(scene, runs, console);
+  for (const SceneRun& run : runs) {
+    if (is_refused(run)) continue;
+    for (const std::string& line : known_differences(scene.make(), run.setting))
+      console.result(console.spelt(run.setting.solver + ": " + line));
+  }
 }
 
 /// The worst of those that ran. What the scene expects does not count, for a comparison is no test of its

@@ -45,6 +45,9 @@ struct Attachment {
 struct JointMotor {
   double speed = 0;      // [rad/s] of an angle, [m/s] of a slide
   double max_force = 0;  // [N m] or [N], at most
+  /// [rad or m] of a servo: where it goes, at `speed` at most, and stays; none: it runs at `speed` for ever
+  std::optional<double> target = {};
+  double rate = 10;  // [1/s] of a servo: its speed for each rad or m that is missing
 };
 
 /// A joint: immutable, shared by all worlds of a scene. Derive from ConstraintOf<Derived>, not from this.
@@ -60,6 +63,9 @@ class Constraint {
 
   /// Where it is fastened, in the order of the line that it would be drawn as.
   virtual List<Attachment> attachments() const = 0;
+
+  /// The ends of the line that it slides along, for pictures; empty: none.
+  virtual List<Attachment> groove() const { return {}; }
 
   /// Whether its bodies may touch each other, where the scene does not say.
   virtual bool bodies_collide() const { return false; }

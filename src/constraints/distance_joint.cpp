@@ -6,8 +6,14 @@
 
 namespace cairn {
 
+namespace {
+
+constexpr std::uint64_t least_part = 1;  // the name of its row; the other one is 0
+
+}  // namespace
+
 DistanceJoint::DistanceJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
-    : kind_(spec.kind), softness_(spec.softness), slack_margin_(spec.slack_margin) {
+    : kind_(spec.kind), softness_(spec.softness), least_(spec.least), slack_margin_(spec.slack_margin) {
   require(spec.a != spec.b, "DistanceJoint", "b", "another body than a", spec.b.index);
   require_finite(spec.anchor_a, "DistanceJoint", "anchor_a", "m");
   require_finite(spec.anchor_b, "DistanceJoint", "anchor_b", "m");
@@ -17,6 +23,9 @@ DistanceJoint::DistanceJoint(const Spec& spec, PerBodySpan<const Pose<double>> p
   require(length_ > 0, "DistanceJoint", "length", "> 0 m", length_);
   require(slack_margin_ >= 0 && std::isfinite(slack_margin_), "DistanceJoint", "slack_margin",
           "a finite number >= 0 m", slack_margin_);
+  require(least_ >= 0 && least_ < length_, "DistanceJoint", "least",
+          ">= 0 m and < the length, " + shortest(length_) + " m", least_);
+  if (kind_ != Kind::rope) require(least_ == 0, "DistanceJoint", "least", "left out but for a rope", least_);
   if (kind_ == Kind::rod) require(!softness_, "DistanceJoint", "softness", "left out for a rod", "one");
   if (kind_ == Kind::spring)
     require(softness_.has_value(), "DistanceJoint", "softness", "given for a spring", "none");
@@ -42,14 +51,21 @@ void DistanceJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) cons
   row.jacobian_a = {-u.x(), -u.y(), -cross(arms.r_a, u)};
   row.jacobian_b = {u.x(), u.y(), cross(arms.r_b, u)};
   row.softness = softness_;
-  if (kind_ == Kind::rope) {
-    if (-row.error > static_cast<Real>(slack_margin_)) return;
-    row.error = -row.error;
-    row.jacobian_a = -row.jacobian_a;
-    row.jacobian_b = -row.jacobian_b;
-    row.bounds = Bounds<Real>::unilateral();
-    row.keeps_slop = false;
+  if (kind_ != Kind::rope) return rows.add(row);
+  const Real room = distance - static_cast<Real>(least_), margin = static_cast<Real>(slack_margin_);
+  row.bounds = Bounds<Real>::unilateral();
+  row.keeps_slop = false;
+  if (least_ > 0 && room <= margin) {
+    RowSpec<Real> push = row;
+    push.error = room;
+    push.softness.reset();  // only its pull is elastic
+    push.part = least_part;
+    rows.add(push);
   }
+  if (-row.error > margin) return;
+  row.error = -row.error;
+  row.jacobian_a = -row.jacobian_a;
+  row.jacobian_b = -row.jacobian_b;
   rows.add(row);
 }
 
@@ -60,7 +76,7 @@ void DistanceJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& f
   const Real distance = arms.d.norm();
   if (!(distance > 0)) return;
   const Vec2<Real> u = arms.d / distance;
-  const Real tension = kind_ == Kind::rope ? forces.of(0) : -forces.of(0);
+  const Real tension = kind_ == Kind::rope ? forces.of(0) - forces.of(least_part) : -forces.of(0);
   add_line_stiffness<Real>(ends_.a, arms.r_a, u, distance, tension, stiffness);
   add_line_stiffness<Real>(ends_.b, arms.r_b, -u, distance, tension, stiffness);
 }

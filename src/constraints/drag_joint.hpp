@@ -38,8 +38,13 @@ class DragJoint final : public ConstraintOf<DragJoint> {
 
   /// The one that is pulled.
   BodyId body() const { return body_; }
+  /// Of the spring that pulls.
+  const Softness& softness() const { return softness_; }
+  /// [N]
+  double max_force() const { return max_force_; }
 
   std::string name() const override { return "drag"; }
+  JointTraits traits() const override { return {.box2d_rows = 2}; }
   List<Attachment> attachments() const override { return {{ground, target_}, {body_, local_}}; }
   bool bodies_collide() const override { return true; }
 

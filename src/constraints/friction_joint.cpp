@@ -68,7 +68,7 @@ void FrictionJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) cons
       across.bounds = Bounds<Real>::rest_of_disc(static_cast<Real>(max_force_), 0);
     rows.add(across);
   }
-  if (max_torque_ > 0) add_motor_row(angle_row<Real>(ends_.a, ends_.b, 0), 0, max_torque_, rows);
+  if (max_torque_ > 0) add_motor_row(angle_row<Real>(ends_.a, ends_.b, 0), {.max_force = max_torque_}, rows);
 }
 
 template class ConstraintOf<FrictionJoint>;

@@ -49,9 +49,15 @@ class FrictionJoint final : public ConstraintOf<FrictionJoint> {
   FrictionJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "friction"; }
-  JointTraits traits() const override { return {.holds_points = false}; }
+  JointTraits traits() const override { return {.holds_points = false, .box2d_rows = 3}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
   bool bodies_collide() const override { return true; }
+  /// [N]
+  double max_force() const { return max_force_; }
+  /// [N m]
+  double max_torque() const { return max_torque_; }
+  /// Of the forces that it may have.
+  FrictionShape shape() const { return shape_; }
 
   /// Writes the rows that hold where bodies are, and as they move.
   template <Scalar Real>

@@ -68,11 +68,12 @@ void add_limit_rows(const RigidRow<Real>& coordinate, const JointLimits& limits,
 }
 
 template <Scalar Real>
-void add_motor_row(const RigidRow<Real>& coordinate, double speed, double max_force, RowWriter<Real>& rows) {
+void add_motor_row(const RigidRow<Real>& coordinate, const JointMotor& motor, RowWriter<Real>& rows) {
   RowSpec<Real> row = coordinate;
-  row.error = 0;
-  row.speed = static_cast<Real>(speed);
-  row.max_force = static_cast<Real>(max_force);
+  row.error = motor.target ? coordinate.error - static_cast<Real>(*motor.target) : Real(0);
+  row.speed = static_cast<Real>(motor.speed);
+  row.max_force = static_cast<Real>(motor.max_force);
+  row.approach = motor.target ? static_cast<Real>(motor.rate) : Real(0);
   row.part = static_cast<std::uint64_t>(JointPart::motor);
   rows.add(row);
 }
@@ -116,10 +117,10 @@ template void add_line_stiffness(BodyId, const Vec2<double>&, const Vec2<double>
 template FixedList<RigidRow<float>, 2> pin_rows(BodyId, BodyId, const JointArms<float>&);
 template RigidRow<float> angle_row(BodyId, BodyId, float);
 template void add_limit_rows(const RigidRow<float>&, const JointLimits&, RowWriter<float>&);
-template void add_motor_row(const RigidRow<float>&, double, double, RowWriter<float>&);
+template void add_motor_row(const RigidRow<float>&, const JointMotor&, RowWriter<float>&);
+template void add_motor_row(const RigidRow<double>&, const JointMotor&, RowWriter<double>&);
 template FixedList<RigidRow<double>, 2> pin_rows(BodyId, BodyId, const JointArms<double>&);
 template RigidRow<double> angle_row(BodyId, BodyId, double);
 template void add_limit_rows(const RigidRow<double>&, const JointLimits&, RowWriter<double>&);
-template void add_motor_row(const RigidRow<double>&, double, double, RowWriter<double>&);
 
 }  // namespace cairn

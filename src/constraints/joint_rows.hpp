@@ -9,7 +9,7 @@
 namespace cairn {
 
 /// Names of rows within a joint, from step to step.
-enum class JointPart : std::uint64_t { x, y, angle, lower_limit, upper_limit, motor };
+enum class JointPart : std::uint64_t { x, y, angle, lower_limit, upper_limit, motor, spring, ratchet };
 
 /// The range that a coordinate of a joint is kept in: a length [m] or an angle [rad].
 struct JointLimits {
@@ -87,10 +87,10 @@ RigidRow<Real> angle_row(BodyId a, BodyId b, Real angle);
 template <Scalar Real>
 void add_limit_rows(const RigidRow<Real>& coordinate, const JointLimits& limits, RowWriter<Real>& rows);
 
-/// Writes the motor of the coordinate whose row is `coordinate`: no C, the same j, j v = speed, and
-/// |impulse| <= max_force dt.
+/// Writes the motor of the coordinate whose row is `coordinate`: the same j and |impulse| <= max_force dt. Of
+/// a servo C is what is missing to its target; of any other motor there is none, and j v = speed.
 template <Scalar Real>
-void add_motor_row(const RigidRow<Real>& coordinate, double speed, double max_force, RowWriter<Real>& rows);
+void add_motor_row(const RigidRow<Real>& coordinate, const JointMotor& motor, RowWriter<Real>& rows);
 
 /// The geometric stiffness of a pin that pushes b with the force F [N], and a with -F: arms turn with their
 /// bodies, and nothing else of C has a second derivative.
@@ -99,11 +99,11 @@ template <Scalar Real>
 void add_pin_stiffness(BodyId a, BodyId b, const JointArms<Real>& arms, const Vec2<Real>& force_on_b,
                        PerBody<Vec3<Real>>& stiffness);
 
-/// The geometric stiffness of a straight line of length L [m] that pulls with the force T [N], for the body at
-/// one of its ends, which has the arm r [m] and s = |r . u| along the direction u of the line. Across the line
-/// its ends x_1 and x_2 have the energy T (x_1 - x_2)^2 / 2 L, no more than T (x_1^2 + x_2^2) / L. With an arm
-/// an end is where the body's centre x and its angle q take it, and (x + s q)^2 is at most
-/// (1 + s / l) x^2 + s (s + l) q^2 for any length l, here the longer one of L and s. The arm turns, too:
+/// The geometric stiffness of a straight line of length L [m] that pulls with the force T [N], for the body
+/// at one of its ends, which has the arm r [m] and s = |r . u| along the direction u of the line. Across the
+/// line its ends x_1 and x_2 have the energy T (x_1 - x_2)^2 / 2 L, no more than T (x_1^2 + x_2^2) / L. With
+/// an arm an end is where the body's centre x and its angle q take it, and (x + s q)^2 is at most (1 + s / l)
+/// x^2 + s (s + l) q^2 for any length l, here the longer one of L and s. The arm turns, too:
 ///   K_x = K_y = 2 T / L (1 + s / l),   K_q = 2 T / L s (s + l) + T s
 template <Scalar Real>
 void add_line_stiffness(BodyId body, const Vec2<Real>& arm, const Vec2<Real>& direction, Real length,

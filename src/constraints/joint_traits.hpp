@@ -5,10 +5,16 @@ namespace cairn {
 
 /// What a kind of joint is to those who draw it, watch it or read of it.
 struct JointTraits {
-  bool holds_points = true;     // where it is fastened, it holds: it can come apart, and carries what hangs on it
-  bool is_line = false;         // a rod or a rope, between ends that are apart; else it is where they are
+  bool holds_points =
+      true;              // where it is fastened, it holds: it can come apart, and carries what hangs on it
+  bool is_line = false;  // a rod or a rope, between ends that are apart; else it is where they are
   bool is_over_ground = false;  // a rope whose bodies hang from the ground, and not from each other
   bool turns = false;           // its motor drives an angle
+  bool slides = false;          // b goes along a line of a
+  bool is_shown = true;         // where it is fastened, in pictures
+  bool has_servo = false;       // a motor that goes to a place and holds it
+  bool has_spring = false;      // along the coordinate that its motor would drive
+  bool has_ratchet = false;     // goes one way only
   int box2d_rows = 1;           // that Box2D's joint of this kind has
 };
 

@@ -1,5 +1,7 @@
-// Floor 3. The prismatic joint's rows: two for the slide, and what its limits and motor need.
+// Floor 3. The rows of slides, slots and wheels.
 #include <cairn/constraints/prismatic_joint.hpp>
+
+#include <cmath>
 
 #include <cairn/math/check.hpp>
 #include <cairn/math/list.hpp>
@@ -21,39 +23,46 @@ RigidRow<Real> slide_row(BodyId a, BodyId b, const JointArms<Real>& arms, const 
           .part = static_cast<std::uint64_t>(part)};
 }
 
-void require_motor(const std::optional<PrismaticJoint::Motor>& motor) {
-  if (!motor) return;
-  require_finite(motor->speed, "PrismaticJoint", "motor speed", "m/s");
-  require(motor->max_force > 0 && std::isfinite(motor->max_force), "PrismaticJoint", "motor max_force",
-          "a finite number > 0 N", motor->max_force);
-}
-
 }  // namespace
 
-PrismaticJoint::PrismaticJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses)
-    : limits_{.lower = spec.lower, .upper = spec.upper, .margin = spec.limit_margin}, motor_(spec.motor) {
-  require(spec.a != spec.b, "PrismaticJoint", "b", "another body than a", spec.b.index);
-  require_finite(spec.anchor, "PrismaticJoint", "anchor", "m");
-  require_finite(spec.axis, "PrismaticJoint", "axis", "m");
+PrismaticJoint::PrismaticJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses) : kind_(spec.kind) {
+  const char* const who = "PrismaticJoint";
+  require(spec.a != spec.b, who, "b", "another body than a", spec.b.index);
+  require_finite(spec.anchor, who, "anchor", "m");
+  require_finite(spec.axis, who, "axis", "m");
   const double length = spec.axis.stableNorm();
-  require(length > 0 && std::isfinite(length), "PrismaticJoint", "axis", "of a finite length > 0 m", length);
-  require_limits(limits_, "PrismaticJoint", "m");
-  require_motor(motor_);
+  require(length > 0 && std::isfinite(length), who, "axis", "of a finite length > 0 m", length);
+  std::optional<JointMotor> motor;
+  if (spec.motor) motor = {spec.motor->speed, spec.motor->max_force, spec.motor->target, spec.motor->rate};
+  const bool is_wheel = kind_ == Kind::wheel;
+  if (is_wheel) require(spec.spring.has_value(), who, "spring", "given for a wheel", "none");
+  const JointLimits limits{.lower = spec.lower, .upper = spec.upper, .margin = spec.limit_margin};
+  slide_ = JointCoordinate(limits, is_wheel ? std::nullopt : motor, spec.spring, spec.ratchet, who, "m");
+  turn_ = JointCoordinate({}, is_wheel ? motor : std::nullopt, {}, {}, who, "rad");
   ends_ = {spec.a, spec.b, spec.anchor, spec.anchor, poses};
   local_axis_ = Rotation<double>(poses[spec.a].angle).transposed_times(spec.axis / length);
 }
 
-std::optional<JointMotor> PrismaticJoint::motor() const {
-  if (!motor_) return std::nullopt;
-  return JointMotor{.speed = motor_->speed, .max_force = motor_->max_force};
+std::string PrismaticJoint::name() const {
+  if (kind_ == Kind::slot) return "slot";
+  return kind_ == Kind::wheel ? "wheel" : "prismatic";
+}
+
+JointTraits PrismaticJoint::traits() const {
+  return turn_.marked(slide_.marked({.turns = kind_ == Kind::wheel, .slides = true, .box2d_rows = 2}));
 }
 
 std::shared_ptr<const Constraint> PrismaticJoint::with_motor(const std::optional<JointMotor>& motor) const {
   auto other = std::make_shared<PrismaticJoint>(*this);
-  other->motor_.reset();
-  if (motor) other->motor_ = Motor{.speed = motor->speed, .max_force = motor->max_force};
-  require_motor(other->motor_);
+  (kind_ == Kind::wheel ? other->turn_ : other->slide_).change(motor);
   return other;
+}
+
+List<Attachment> PrismaticJoint::groove() const {
+  const JointLimits& limits = slide_.limits();
+  if (!limits.lower || !limits.upper) return {};
+  return {{ends_.a, ends_.local_a + *limits.lower * local_axis_},
+          {ends_.a, ends_.local_a + *limits.upper * local_axis_}};
 }
 
 template <Scalar Real>
@@ -61,14 +70,11 @@ void PrismaticJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) con
   const JointArms<Real> arms = ends_.arms(at);
   const Vec2<Real> u = at[ends_.a].rotation * local_axis_.template cast<Real>();
 
-  // The last rows of a sweep are satisfied best: the slide itself comes after its motor and its limits.
-  if (motor_ || limits_.lower || limits_.upper) {
-    const RigidRow<Real> along = slide_row(ends_.a, ends_.b, arms, u, JointPart::x);
-    if (motor_) add_motor_row(along, motor_->speed, motor_->max_force, rows);
-    add_limit_rows(along, limits_, rows);
-  }
+  // The last rows of a sweep are satisfied best: the slide itself comes after what is asked of it.
+  if (!turn_.is_free()) turn_.add_rows(angle_row(ends_.a, ends_.b, ends_.angle(at)), rows);
+  if (!slide_.is_free()) slide_.add_rows(slide_row(ends_.a, ends_.b, arms, u, JointPart::x), rows);
   rows.add(slide_row<Real>(ends_.a, ends_.b, arms, perpendicular(u), JointPart::y));
-  rows.add(angle_row(ends_.a, ends_.b, ends_.angle(at)));
+  if (kind_ == Kind::prismatic) rows.add(angle_row(ends_.a, ends_.b, ends_.angle(at)));
 }
 
 template <Scalar Real>
@@ -77,9 +83,8 @@ void PrismaticJoint::stiffen(const Placements<Real>& at, const RowForces<Real>& 
   JointArms<Real> arms = ends_.arms(at);
   arms.r_a += arms.d;
   const Vec2<Real> u = at[ends_.a].rotation * local_axis_.template cast<Real>();
-  const auto of = [&](JointPart part) { return forces.of(static_cast<std::uint64_t>(part)); };
-  const Real along = of(JointPart::lower_limit) - of(JointPart::upper_limit) + of(JointPart::motor);
-  const Vec2<Real> force = along * u + of(JointPart::y) * perpendicular(u);
+  const Real across = forces.of(static_cast<std::uint64_t>(JointPart::y));
+  const Vec2<Real> force = slide_.force(forces) * u + across * perpendicular(u);
   add_pin_stiffness(ends_.a, ends_.b, arms, force, stiffness);
 }
 

@@ -44,6 +44,16 @@ Real bias_velocity(const RowSpec<Real>& spec, Real speed, const RowRule<Real>& r
   return rule.only_corrects ? bias - row_velocity(spec, velocity) : bias + speed;
 }
 
+/// The row of a servo as that of a motor, in a step of dt [s].
+template <Scalar Real>
+RowSpec<Real> motor_of(const RowSpec<Real>& servo, Real dt) {
+  RowSpec<Real> motor = servo;
+  motor.speed = servo_speed(servo, dt);
+  motor.error = 0;
+  motor.approach = 0;
+  return motor;
+}
+
 /// Takes down what rows are off by.
 template <Scalar Real>
 class RowErrors final : public RowWriter<Real> {
@@ -88,6 +98,7 @@ void ProblemRows<Real>::add(const RigidRow<Real>& row) {
 
 template <Scalar Real>
 void ProblemRows<Real>::add(const RowSpec<Real>& spec) {
+  if (spec.approach > 0) return add(motor_of(spec, writing_.problem.dt));
   const bool yields = spec.softness || spec.max_force;
   if (!yields && spec.bounds.is_equality()) {
     if (spec.extra_count == 0) return add(static_cast<const RigidRow<Real>&>(spec));

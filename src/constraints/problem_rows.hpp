@@ -52,6 +52,7 @@ struct RowWriting {
 ///   a rigid equality     takes beta C / dt back, on a spring of the policy the spring's rate times C
 ///   a rigid inequality   as pushing_bias()
 ///   a spring of its own  as spring_row()
+///   a servo              approach C back, at `speed` at most
 /// To this comes the speed that it asks for by itself. Where only positions are corrected, friction, motors
 /// and springs do nothing, and an inequality takes no more than is still missing.
 template <Scalar Real>

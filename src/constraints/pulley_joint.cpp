@@ -125,6 +125,12 @@ PulleyJoint::Part PulleyJoint::part_of(const End& end, PerBodySpan<const Pose<do
   return part;
 }
 
+List<double> PulleyJoint::parts() const {
+  List<double> counts;
+  for (const Part& part : parts_) counts.push_back(part.count);
+  return counts;
+}
+
 List<Attachment> PulleyJoint::attachments() const {
   List<Attachment> line;
   for (int i = 0; i < parts_.size(); ++i) {

@@ -63,6 +63,10 @@ class PulleyJoint final : public ConstraintOf<PulleyJoint> {
   bool bodies_collide() const override { return true; }
   /// Whether it only pulls.
   Kind kind() const { return kind_; }
+  /// [m] Of all parts.
+  double length() const { return length_; }
+  /// How many parts of rope each end has.
+  List<double> parts() const;
 
   /// Writes the rows that hold where bodies are.
   template <Scalar Real>

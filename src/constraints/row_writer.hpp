@@ -39,6 +39,8 @@ struct RowSpec : RigidRow<Real> {
   bool keeps_slop = true;                  // an inequality: may stay violated by the slop, as contacts do
   FixedList<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
   int extra_count = 0;                     // how many of `extra` there are
+  /// [1/s] of a servo: how fast C goes, though not faster than `speed`; 0: the row goes at `speed` itself
+  Real approach = 0;
 };
 
 /// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing
@@ -60,6 +62,13 @@ Real row_velocity(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& velocity
   Real jv = row_velocity<Real>(static_cast<const RigidRow<Real>&>(spec), velocity);
   for (int k = 0; k < spec.extra_count; ++k) jv += dot(spec.extra[k].jacobian, velocity[spec.extra[k].body]);
   return jv;
+}
+
+/// [m/s or rad/s] Of the row of a servo in a step of dt [s]: what is missing asks for it, and no more than
+/// all of that within the step.
+template <Scalar Real>
+Real servo_speed(const RowSpec<Real>& servo, Real dt) {
+  return -std::clamp(servo.error * std::min(servo.approach, 1 / dt), -servo.speed, servo.speed);
 }
 
 /// The rows of a joint, or of all of them.

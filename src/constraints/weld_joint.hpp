@@ -14,22 +14,33 @@ namespace cairn {
 ///       (0, 0, -1, 0, 0, 1) for q
 /// The third row's impulse is the moment that bends the joint. A long beam of welds converges slowly: about
 /// n^4 sweeps a digit for n bodies. Its geometric stiffness is that of a pin (add_pin_stiffness); its moment
-/// has none. Source: the derivative of C.
+/// has none. A soft weld is glue or a flexible beam: its place and its angle each give way like a spring.
+/// Source: the derivative of C; softness.hpp for springs.
 class WeldJoint final : public ConstraintOf<WeldJoint> {
  public:
   /// What the joint is made from.
   struct Spec {
-    BodyId a = {};                 // the first body
-    BodyId b = {};                 // the second body
-    Vec2<double> anchor = {0, 0};  // [m], world, where the bodies are placed
+    BodyId a = {};                          // the first body
+    BodyId b = {};                          // the second body
+    Vec2<double> anchor = {0, 0};           // [m], world, where the bodies are placed
+    std::optional<Softness> softness = {};  // of the two rows of the place [N/m]; none: rigid
+    std::optional<Softness> bending = {};   // of the row of the angle [N m/rad]; none: rigid
   };
 
   /// `poses` are those the bodies start from.
-  /// @throws std::invalid_argument for one body twice or an anchor that is not finite.
+  /// @throws std::invalid_argument for one body twice, an anchor that is not finite, or a softness out of
+  /// range.
   WeldJoint(const Spec& spec, PerBodySpan<const Pose<double>> poses);
 
   std::string name() const override { return "weld"; }
+  JointTraits traits() const override { return {.box2d_rows = 3}; }
   List<Attachment> attachments() const override { return ends_.attachments(); }
+  /// Where it is fastened.
+  const JointEnds& ends() const { return ends_; }
+  /// Of its place; none: rigid.
+  const std::optional<Softness>& softness() const { return softness_; }
+  /// Of its angle; none: rigid.
+  const std::optional<Softness>& bending() const { return bending_; }
 
   /// Writes the rows that hold where bodies are.
   template <Scalar Real>
@@ -42,6 +53,8 @@ class WeldJoint final : public ConstraintOf<WeldJoint> {
 
  private:
   JointEnds ends_;
+  std::optional<Softness> softness_;
+  std::optional<Softness> bending_;
 };
 
 extern template class ConstraintOf<WeldJoint>;

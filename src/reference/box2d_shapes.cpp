@@ -1,4 +1,4 @@
-// Floor 7. From Cairn's shapes and joints to Box2D's.
+// Floor 7. From Cairn's shapes to Box2D's.
 #include <cairn/reference/box2d_shapes.hpp>
 
 #include <box2d/box2d.h>
@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <cairn/constraints/distance_joint.hpp>
-#include <cairn/constraints/revolute_joint.hpp>
 #include <cairn/math/check.hpp>
 #include <cairn/math/list.hpp>
 
@@ -85,36 +83,6 @@ std::unique_ptr<b2Shape> convert(const Chain<double>& chain) {
   return result;
 }
 
-/// The length of a rod, found by asking for its error C = |d| - length at two poses with |d| = 1 m.
-double rod_length(const DistanceJoint& joint, int body_count) {
-  PerBody<Pose<double>> poses(body_count);
-  const List<Attachment> ends = joint.attachments();
-  poses[ends[1].body].position = ends[0].anchor - ends[1].anchor + Vec2<double>(1, 0);
-  RowSpecs<double> rows;
-  joint.append_rows(poses, rows);
-  return 1 - rows.front().error;
-}
-
-b2DistanceJointDef definition(const DistanceJoint& joint, int body_count) {
-  const double length = rod_length(joint, body_count);
-  require(length >= b2_linearSlop, "Box2DWorld", "rod length", ">= 0.005 m, the shortest in Box2D 2.4.1",
-          length);
-  b2DistanceJointDef result;
-  result.localAnchorA = to_box2d(joint.attachments()[0].anchor);
-  result.localAnchorB = to_box2d(joint.attachments()[1].anchor);
-  result.length = static_cast<float>(length);
-  result.minLength = result.length;
-  result.maxLength = result.length;
-  return result;
-}
-
-b2RevoluteJointDef definition(const RevoluteJoint& joint) {
-  b2RevoluteJointDef result;
-  result.localAnchorA = to_box2d(joint.attachments()[0].anchor);
-  result.localAnchorB = to_box2d(joint.attachments()[1].anchor);
-  return result;
-}
-
 }  // namespace
 
 b2Vec2 to_box2d(const Vec2<double>& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
@@ -128,25 +96,6 @@ List<std::unique_ptr<b2Shape>> to_box2d(const Shape<double>& shape) {
       },
       shape);
   return parts;
-}
-
-b2Joint* create_joint(b2World& world, const Constraint& joint, const PerBody<b2Body*>& bodies,
-                      const List<std::pair<BodyId, BodyId>>& apart) {
-  const List<Attachment> places = joint.attachments();
-  const std::pair<BodyId, BodyId> ends = std::minmax(places.front().body, places.back().body);
-  const auto create = [&](b2JointDef&& definition) {
-    definition.bodyA = bodies[places.front().body];
-    definition.bodyB = bodies[places.back().body];
-    definition.collideConnected = !std::binary_search(apart.begin(), apart.end(), ends);
-    return world.CreateJoint(&definition);
-  };
-  const auto* rod = dynamic_cast<const DistanceJoint*>(&joint);
-  if (rod != nullptr && rod->kind() == DistanceJoint::Kind::rod)
-    return create(definition(*rod, bodies.size()));
-  const auto* pin = dynamic_cast<const RevoluteJoint*>(&joint);
-  require(pin != nullptr, "Box2DWorld", "joint", "a rod or a revolute joint", joint.name());
-  require(pin->is_free(), "Box2DWorld", "revolute joint", "without limits and motor", "some");
-  return create(definition(*pin));
 }
 
 }  // namespace cairn

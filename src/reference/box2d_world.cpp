@@ -10,6 +10,7 @@
 #include <cairn/math/check.hpp>
 #include <cairn/reference/box2d_acting.hpp>
 #include <cairn/reference/box2d_contacts.hpp>
+#include <cairn/reference/box2d_joints.hpp>
 #include <cairn/reference/box2d_shapes.hpp>
 #include <cairn/world/plan.hpp>
 #include <cairn/world/scene_length.hpp>
@@ -75,26 +76,11 @@ void check(const Box2DSettings& settings) {
           settings.position_iterations);
 }
 
-double drift(const Constraint& joint, const PerBody<Pose<double>>& poses) {
-  RowSpecs<double> rows;
-  joint.append_rows(poses, rows);
-  double sum = 0;
-  for (const RowSpec<double>& row : rows) {
-    if (row.bounds.is_equality()) sum += row.error * row.error;
-  }
-  return std::sqrt(sum);
-}
-
 /// What this world of Box2D would ignore, and so must not be given.
 void check_contacts_of(const BodySpec& spec) {
   require(!spec.sensor, "Box2DWorld", "sensor", "false: sensors are not taken over", "true");
   require(spec.filter.category <= box2d_filter_bits, "Box2DWorld", "category",
           "of the first 16 bits, as Box2D 2.4.1 has no more", spec.filter.category);
-}
-
-void check_event(const SceneEvent& event) {
-  require(!std::holds_alternative<SwitchMotor>(event.action), "Box2DWorld", "event",
-          "a removal or an impulse, as its joints have no motor", "a motor");
 }
 
 void check_surfaces(const Scene& scene) {
@@ -115,7 +101,10 @@ struct Box2DWorld::Simulation {
   void do_event(const SceneEvent& event);
   void drop_joints(const SceneJoints& before);
   SnapshotBody body(BodyId id) const;
-  SnapshotJoint joint(int index, const PerBody<Pose<double>>& poses) const;
+  SnapshotJoint joint(int index, const BodyState<double>& state) const;
+  BodyState<double> state() const;
+  void note_servos();
+  void drive_servos();
 
   Scene scene;
   Box2DSettings settings;
@@ -124,6 +113,7 @@ struct Box2DWorld::Simulation {
   PerBody<b2Body*> bodies;  // owned by the world
   List<b2Joint*> joints;    // in the scene's order; owned by the world
   List<BodyId> colliders;   // whose shape it is, in the scene's order
+  bool has_servos = false;
   int steps = 0;
 };
 
@@ -132,15 +122,13 @@ Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& 
   check(settings);
   for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
   check_surfaces(scene);
-  for (const SceneEvent& event : scene.events()) check_event(event);
   world.SetContactListener(&contacts);
   world.SetWarmStarting(scene.settings().warm_start);
   world.SetAllowSleeping(settings.sleeping);
   world.SetContinuousPhysics(settings.continuous);
   add_bodies();
-  for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
-    joints.push_back(create_joint(world, *joint, bodies, scene.joints().apart()));
-  }
+  joints = create_joints(world, scene, bodies);
+  note_servos();
 }
 
 void Box2DWorld::Simulation::add_bodies() {
@@ -187,6 +175,10 @@ void Box2DWorld::Simulation::do_event(const SceneEvent& event) {
     b2Body& body = *bodies[push->body];
     body.ApplyLinearImpulse(to_box2d(push->impulse), body.GetWorldPoint(to_box2d(push->point)), true);
   }
+  if (const auto* other = std::get_if<SwitchMotor>(&event.action)) {
+    const std::optional<int> number = scene.joints().number_of(other->joint);
+    if (number) set_motor(*joints[*number], other->motor);
+  }
   if (const auto* removal = std::get_if<RemoveBody>(&event.action)) {
     world.DestroyBody(bodies[removal->body]);
     bodies[removal->body] = create_body(world, scene.bodies()[removal->body]);
@@ -209,19 +201,41 @@ SnapshotBody Box2DWorld::Simulation::body(BodyId id) const {
           .shapes = scene_body.spec.shapes};
 }
 
-SnapshotJoint Box2DWorld::Simulation::joint(int index, const PerBody<Pose<double>>& poses) const {
-  const Constraint& constraint = *scene.joints()[index];
-  const List<Attachment> ends = constraint.attachments();
+SnapshotJoint Box2DWorld::Simulation::joint(int index, const BodyState<double>& state) const {
+  SnapshotJoint result = snapshot_joint(*scene.joints()[index], state);
   const b2Vec2 impulse = joints[index]->GetReactionForce(1);  // at dt = 1 s a force is its impulse
-  return {.id = scene.joints().id(index),
-          .name = constraint.name(),
-          .traits = constraint.traits(),
-          .a = ends[0].body,
-          .b = ends[1].body,
-          .anchor_a = poses[ends[0].body].world(ends[0].anchor),
-          .anchor_b = poses[ends[1].body].world(ends[1].anchor),
-          .drift = drift(constraint, poses),
-          .impulse = {impulse.x, impulse.y}};
+  result.id = scene.joints().id(index);
+  result.impulse = {impulse.x, impulse.y};
+  return result;
+}
+
+BodyState<double> Box2DWorld::Simulation::state() const {
+  BodyState<double> result = state_of<double>(scene);
+  for (const BodyId id : bodies.indices()) {
+    const b2Vec2 center = bodies[id]->GetWorldCenter();
+    result.pose[id] = {.position = {center.x, center.y},
+                       .angle = static_cast<double>(bodies[id]->GetAngle())};
+  }
+  return result;
+}
+
+void Box2DWorld::Simulation::note_servos() {
+  has_servos =
+      std::any_of(scene.joints().begin(), scene.joints().end(),
+                  [](const std::shared_ptr<const Constraint>& joint) { return joint->traits().has_servo; });
+}
+
+/// Box2D has motors: the speed of a servo is set before each step.
+void Box2DWorld::Simulation::drive_servos() {
+  if (!has_servos) return;
+  const BodyState<double> now = state();
+  for (int i = 0; i < joints.size(); ++i) {
+    std::optional<JointMotor> motor = scene.joints()[i]->motor();
+    const std::optional<double> speed = servo_speed(*scene.joints()[i], now.pose, scene.settings().dt);
+    if (!speed) continue;
+    motor->speed = *speed;
+    set_motor(*joints[i], motor);
+  }
 }
 
 Box2DWorld::Box2DWorld(const Scene& scene, const Box2DSettings& settings)
@@ -238,6 +252,7 @@ bool Box2DWorld::do_events() {
   const SceneJoints before = simulation.scene.joints();
   if (!simulation.scene.do_events(until)) return false;
   simulation.drop_joints(before);
+  simulation.note_servos();
   for (const SceneEvent& event : events) {
     if (event.time <= until) simulation.do_event(event);
   }
@@ -248,6 +263,7 @@ void Box2DWorld::step() {
   do_events();
   Simulation& simulation = *simulation_;
   act_on(simulation.bodies, simulation.scene, simulation.steps);
+  simulation.drive_servos();
   simulation.contacts.begin_step();
   simulation.world.Step(static_cast<float>(simulation.scene.settings().dt),
                         simulation.settings.velocity_iterations, simulation.settings.position_iterations);
@@ -264,13 +280,10 @@ Snapshot Box2DWorld::snapshot() const {
                   .fields = settings.fields,
                   .contacts = simulation.contacts.contacts(simulation.colliders),
                   .apart = simulation.scene.joints().apart()};
-  PerBody<Pose<double>> poses;
-  for (const BodyId id : simulation.bodies.indices()) {
-    result.bodies.push_back(simulation.body(id));
-    poses.push_back(result.bodies.back().pose);
-  }
+  for (const BodyId id : simulation.bodies.indices()) result.bodies.push_back(simulation.body(id));
   result.forces = forces_at(simulation.scene, result.bodies, result.time);
-  for (int i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, poses));
+  const BodyState<double> state = simulation.state();
+  for (int i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, state));
   return result;
 }
 

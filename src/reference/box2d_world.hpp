@@ -38,15 +38,20 @@ struct Box2DSettings {
 ///   over the positions of its own.
 /// - Friction rows come before normal rows, and the two normal rows of a manifold are solved together, unless
 ///   they are (nearly) the same row: then the first carries all.
+/// - Springs are implicit Euler, and lose what Cairn's keep; the rope of a pulley pushes, too; the ends of a
+///   rope come no nearer than 0.005 m; the pull of a drag has its limit in any direction; a servo is a motor
+///   whose speed is set before each step.
 /// - Restitution takes the approach speed after gravity has acted, and no body moves more than 2 m or turns
 ///   more than a quarter turn in a step.
 class Box2DWorld {
  public:
   /// Copies what it needs of the scene.
   /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: rounded polygons, polygons of more
-  /// than 8 vertices, categories beyond 16 bits; for sensors, joints other than rods and plain pins, rods
-  /// shorter than 0.005 m, capsules of a radius of 0.02 m or less; for events that switch a motor; and for
-  /// negative iteration counts.
+  /// than 8 vertices, categories beyond 16 bits; rods, ropes and springs shorter than 0.005 m, elastic ropes,
+  /// springs and ratchets of pins and slides, motors of slots, welds that are soft in their place, square
+  /// friction, pulleys of other than two ends on the ground, gears but of bodies that pins or slides hold to
+  /// the ground, differentials; for sensors, capsules of a radius of 0.02 m or less; and for negative
+  /// iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();
   Box2DWorld(const Box2DWorld&) = delete;

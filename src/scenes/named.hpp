@@ -87,7 +87,9 @@ inline NamedList<PulleyJoint::Roller> named_values(PulleyJoint::Roller) {
   return {{PulleyJoint::Roller::smooth, "smooth"}, {PulleyJoint::Roller::drum, "drum"}};
 }
 inline NamedList<GearJoint::Mesh> named_values(GearJoint::Mesh) {
-  return {{GearJoint::Mesh::external, "external"}, {GearJoint::Mesh::internal, "internal"}};
+  return {{GearJoint::Mesh::external, "external"},
+          {GearJoint::Mesh::internal, "internal"},
+          {GearJoint::Mesh::rack, "rack"}};
 }
 inline NamedList<PathKind> named_values(PathKind) {
   using enum PathKind;

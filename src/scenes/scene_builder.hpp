@@ -83,7 +83,8 @@ class SceneBuilder {
 BodySpec body_of(const SceneTable& table);
 /// The shape of a table with the group shape; empty: it has none.
 List<Shape<double>> shape_of(const SceneTable& table);
-std::optional<Softness> softness_of(const SceneTable& table);
+/// Of the table under a key; none where there is no table.
+std::optional<Softness> softness_of(const SceneTable& table, const std::string& key = "softness");
 
 /// A joint of a row or a chain as its key says: a pin or a weld at anchor_a, or else a rod, rope or spring.
 void join_links(SceneBuilder& builder, const SceneTable& table, const std::string& name,

@@ -14,7 +14,9 @@ namespace {
 /// The keys that only one kind of event has.
 const std::map<std::string, List<std::string>>& event_keys() {
   static const std::map<std::string, List<std::string>> keys = {
-      {"remove", {}}, {"push", {"impulse", "point"}}, {"motor", {"speed", "max_torque", "max_force", "off"}}};
+      {"remove", {}},
+      {"push", {"impulse", "point"}},
+      {"motor", {"speed", "max_torque", "max_force", "target", "off"}}};
   return keys;
 }
 
@@ -78,11 +80,13 @@ class EventReader {
     const bool turns = joint.traits().turns;
     const std::string most = turns ? "max_torque" : "max_force", other = turns ? "max_force" : "max_torque";
     if (table.has(other)) table.refuse(other, most + " for a " + joint.name() + " joint");
-    const bool changes = table.has("speed") || table.has(most);
+    const bool changes = table.has("speed") || table.has(most) || table.has("target");
     if (table.get<bool>("off") == changes)
-      table.refuse("off", "true, or else there is a speed or a " + most, changes ? "both" : "neither");
+      table.refuse("off", "true, or else there is a speed, a target or a " + most,
+                   changes ? "both" : "neither");
     if (!changes) return SwitchMotor{.joint = id};
     if (table.has("speed")) motors_[id].speed = table.get<double>("speed");
+    if (table.has("target")) motors_[id].target = table.get<double>("target");
     if (table.has(most)) motors_[id].max_force = table.get<double>(most);
     return SwitchMotor{.joint = id, .motor = motors_[id]};
   }

@@ -57,7 +57,14 @@ void join_distance(const ScenePair& pair) {
   pair.join<DistanceJoint>(spec);
 }
 
-/// A hinge or a slider: with limits and a motor.
+/// With its place of rest.
+std::optional<JointSpring> spring_of(const SceneTable& table) {
+  std::optional<JointSpring> spring = part_of<JointSpring>(table, "spring");
+  if (spring) spring->softness = *softness_of(table, "spring");
+  return spring;
+}
+
+/// A hinge or a slider: with limits, a motor and so on.
 template <typename Joint>
 void join_driven(const ScenePair& pair, typename Joint::Spec spec) {
   spec.a = pair.a;
@@ -65,6 +72,7 @@ void join_driven(const ScenePair& pair, typename Joint::Spec spec) {
   spec.anchor = pair.anchor();
   pair.table.read(spec);
   spec.motor = part_of<typename Joint::Motor>(pair.table, "motor");
+  spec.spring = spring_of(pair.table);
   pair.join<Joint>(spec);
 }
 
@@ -74,8 +82,27 @@ void join_prismatic(const ScenePair& pair) {
   join_driven<PrismaticJoint>(pair, {.limit_margin = enough_margin(pair.builder)});
 }
 
+void join_slot(const ScenePair& pair) {
+  join_driven<PrismaticJoint>(
+      pair, {.kind = PrismaticJoint::Kind::slot, .limit_margin = enough_margin(pair.builder)});
+}
+
+void join_wheel(const ScenePair& pair) {
+  if (!pair.table.has("spring")) {
+    pair.table.refuse("spring", "given for a wheel: spring = { frequency = 4, damping_ratio = 0.7 }",
+                      "nothing");
+  }
+  join_driven<PrismaticJoint>(
+      pair,
+      {.axis = {0, 1}, .kind = PrismaticJoint::Kind::wheel, .limit_margin = enough_margin(pair.builder)});
+}
+
 void join_weld(const ScenePair& pair) {
-  pair.join<WeldJoint>({.a = pair.a, .b = pair.b, .anchor = pair.anchor()});
+  pair.join<WeldJoint>({.a = pair.a,
+                        .b = pair.b,
+                        .anchor = pair.anchor(),
+                        .softness = softness_of(pair.table),
+                        .bending = softness_of(pair.table, "bending")});
 }
 
 void join_gear(const ScenePair& pair) {
@@ -161,18 +188,38 @@ List<SceneTableKind> scene_joint_kinds() {
       {"bob", "[chain.bob]", {"bob", "matter"}, "Named chain.bob."},
       {"joint", "[[joint]]", {"joint"}, "Every joint has these."},
       of_type("rod", {"pair", "distance", "give"}, "A massless rod.", join_distance),
-      of_type("rope", {"pair", "distance", "slack", "soft", "give"}, "A massless rope.", join_distance),
+      of_type("rope", {"pair", "distance", "rope", "slack", "soft", "give"}, "A massless rope.",
+              join_distance),
       of_type("spring", {"pair", "distance", "soft"}, "A spring that pulls and pushes.", join_distance),
       of_type("revolute", {"pair", "anchor", "revolute", "give"}, "A pin through two bodies.", join_revolute),
-      of_type("prismatic", {"pair", "anchor", "prismatic", "give"}, "A slide along a line.", join_prismatic),
-      of_type("weld", {"pair", "anchor", "give"}, "Two bodies as one.", join_weld),
+      of_type("prismatic", {"pair", "anchor", "axis", "slide", "prismatic", "give"}, "A slide along a line.",
+              join_prismatic),
+      of_type("slot", {"pair", "anchor", "axis", "slide", "prismatic", "give"},
+              "The anchor on b runs along a line of a, and b turns freely.", join_slot),
+      of_type("wheel", {"pair", "anchor", "wheel", "slide", "give"},
+              "b is a wheel of a: it runs along the axis on a spring, and turns freely or by a motor.",
+              join_wheel),
+      of_type("weld", {"pair", "anchor", "weld", "give"}, "Two bodies as one.", join_weld),
       of_type("pulley", {"pulley", "slack", "give"}, "One rope over rollers.", join_pulley),
-      of_type("gear", {"pair", "gear", "give"}, "Two wheels that roll on each other.", join_gear),
+      of_type("gear", {"pair", "gear", "give"}, "Two wheels that roll on each other, or a wheel and a rack.",
+              join_gear),
       of_type("differential", {"differential", "give"}, "a and b turn about their mean.", join_differential),
       of_type("drag", {"drag", "soft"}, "A soft pull to a fixed point, as of a hand.", join_drag),
       of_type("friction", {"pair", "anchor", "friction"}, "A table seen from above.", join_friction),
-      {"motor", "motor = {...}", {"motor"}, "Of a revolute joint."},
-      {"linear_motor", "motor = {...}", {"linear_motor"}, "Of a prismatic joint."},
+      {"motor", "motor = {...}", {"motor"}, "Of a revolute joint or a wheel. With a target it is a servo."},
+      {"linear_motor",
+       "motor = {...}",
+       {"linear_motor"},
+       "Of a prismatic joint or a slot. With a target it is a servo."},
+      {"torsion_spring",
+       "spring = {...}",
+       {"softness", "torsion_spring"},
+       "Of a revolute joint: stiffness in N m/rad and damping in N m s/rad, or a frequency as b would turn "
+       "about its own centre."},
+      {"slide_spring",
+       "spring = {...}",
+       {"softness", "slide_spring"},
+       "Along the axis of a prismatic joint, a slot or a wheel."},
       {"softness",
        "softness = {...}",
        {"softness"},
@@ -181,8 +228,8 @@ List<SceneTableKind> scene_joint_kinds() {
   };
 }
 
-std::optional<Softness> softness_of(const SceneTable& table) {
-  for (const SceneTable& soft : table.tables("softness")) {
+std::optional<Softness> softness_of(const SceneTable& table, const std::string& key) {
+  for (const SceneTable& soft : table.tables(key)) {
     const bool swings = soft.has("frequency"), springs = soft.has("stiffness") || soft.has("damping");
     if (swings == springs || (soft.has("damping_ratio") && springs)) {
       soft.refuse("", "frequency and damping_ratio, or else stiffness and damping",

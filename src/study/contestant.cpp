@@ -7,6 +7,7 @@
 #include <cairn/scenes/solver_list.hpp>
 #include <cairn/world/world.hpp>
 #ifdef CAIRN_HAVE_BOX2D
+#include <cairn/reference/box2d_joints.hpp>
 #include <cairn/reference/box2d_world.hpp>
 #endif
 
@@ -126,6 +127,14 @@ class Box2DContestant final : public Contestant {
 #endif
 
 }  // namespace
+
+List<std::string> known_differences([[maybe_unused]] const Scene& scene,
+                                    [[maybe_unused]] const Setting& setting) {
+#ifdef CAIRN_HAVE_BOX2D
+  if (setting.solver == "box2d") return box2d_differences(scene);
+#endif
+  return {};
+}
 
 std::unique_ptr<Contestant> make_contestant(const Scene& scene, const Setting& setting) {
   check(setting);

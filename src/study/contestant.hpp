@@ -46,4 +46,7 @@ class Contestant {
 /// run; std::length_error for one that has more pairs of shapes at its start than a step of Cairn takes.
 std::unique_ptr<Contestant> make_contestant(const Scene& scene, const Setting& setting);
 
+/// What the solver of a setting does in another way than the scene says, a line each: Box2D with some joints.
+List<std::string> known_differences(const Scene& scene, const Setting& setting);
+
 }  // namespace cairn

@@ -28,13 +28,15 @@ const List<ValidationCase>& validation_cases() {
   static const List<ValidationCase> cases = [] {
     List<ValidationCase> all;
     for (const auto add : {
-             add_stack_cases,    add_chain_cases,     add_beam_cases,    add_slot_cases,   add_impact_cases,
-             add_hinge_cases,    add_joint_row_cases, add_paradox_cases, add_flight_cases, add_momentum_cases,
-             add_bounce_cases,   add_slope_cases,     add_slide_cases,   add_roll_cases,   add_ladder_cases,
-             add_wedge_cases,    add_pendulum_cases,  add_wheel_cases,   add_modes_cases,  add_spring_cases,
-             add_pulley_cases,   add_mechanism_cases, add_rotor_cases,   add_pop_cases,    add_capstan_cases,
-             add_overhang_cases, add_arch_cases,      add_silo_cases,    add_puck_cases,   add_rocking_cases,
-             add_string_cases,   add_slip_cases,      add_contact_cases, add_field_cases,
+             add_stack_cases,    add_chain_cases,     add_beam_cases,      add_slot_cases,
+             add_impact_cases,   add_hinge_cases,     add_joint_row_cases, add_paradox_cases,
+             add_flight_cases,   add_momentum_cases,  add_bounce_cases,    add_slope_cases,
+             add_slide_cases,    add_roll_cases,      add_ladder_cases,    add_wedge_cases,
+             add_pendulum_cases, add_wheel_cases,     add_modes_cases,     add_spring_cases,
+             add_pulley_cases,   add_mechanism_cases, add_rotor_cases,     add_pop_cases,
+             add_capstan_cases,  add_overhang_cases,  add_arch_cases,      add_silo_cases,
+             add_puck_cases,     add_rocking_cases,   add_string_cases,    add_slip_cases,
+             add_drive_cases,    add_linkage_cases,   add_contact_cases,   add_field_cases,
          }) {
       add(all);
     }

@@ -44,5 +44,7 @@ void add_rocking_cases(ValidationCases& cases);    // B40
 void add_string_cases(ValidationCases& cases);     // B41
 void add_contact_cases(ValidationCases& cases);    // B45-B49
 void add_field_cases(ValidationCases& cases);      // B50-B54
+void add_drive_cases(ValidationCases& cases);      // B60-B63
+void add_linkage_cases(ValidationCases& cases);    // B64-B67
 
 }  // namespace cairn

@@ -60,6 +60,18 @@ void add_pairs(const Mixing& mixing, int rubbing_bodies, Plan& plan) {
   plan.friction &= plan.collision;
 }
 
+/// What some joints have besides; empty: none has.
+std::string lines_of_joints(const SceneSize& size) {
+  std::string text;
+  const auto add = [&text](int count, const char* what, const char* how) {
+    if (count > 0) text += line(what, fmt::format("{}: {}", count, how));
+  };
+  add(size.servos, "servos", "a row each, whose speed follows what is missing");
+  add(size.joint_springs, "joint springs", "a soft row each, along what the joint leaves free");
+  add(size.ratchets, "ratchets", "a row each, which only pushes away from the last tooth");
+  return text;
+}
+
 SecondSolve second_solve(StabilizationPolicy policy, bool has_rows) {
   if (policy == StabilizationPolicy::soft) return SecondSolve::from_answer;
   if (policy == StabilizationPolicy::split_impulse) return SecondSolve::positions;
@@ -160,6 +172,12 @@ Plan make_plan(const Scene& scene) {
   plan.surfaces.static_friction &= plan.collision;
   plan.surfaces.rolling_resistance &= plan.friction;
   plan.size.joints = scene.joints().size();
+  for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
+    const JointTraits traits = joint->traits();
+    plan.size.servos += traits.has_servo;
+    plan.size.joint_springs += traits.has_spring;
+    plan.size.ratchets += traits.has_ratchet;
+  }
   plan.broadphase = plan.size.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   const SceneSettings& settings = scene.settings();
   const ContactSearch search = settings.contact_search;
@@ -185,6 +203,7 @@ std::string explain(const Plan& plan) {
                                            : "left out: nothing can meet");
   text +=
       line("joints", plan.size.joints > 0 ? fmt::format("{}", plan.size.joints) : "left out: there are none");
+  text += lines_of_joints(plan.size);
   const bool per_point = plan.settings.friction_rows == FrictionRows::per_point;
   text += line("friction", either(plan.friction,
                                   per_point ? "one row a contact point, where mu > 0"

@@ -16,6 +16,9 @@ struct SceneSize {
   int turning_bodies = 0;              // dynamic bodies that can turn
   int colliders = 0;                   // shapes
   int joints = 0;                      // of every kind
+  int servos = 0;                      // motors with a target
+  int joint_springs = 0;               // joints with a spring along what they leave free
+  int ratchets = 0;                    // joints that go one way only
   List<std::string> shape_kinds = {};  // those that occur, sorted
   List<std::string> acting = {};       // what else acts on bodies or leads them
 };

@@ -68,6 +68,7 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
   result.anchor_a = world_point(places.front());
   result.anchor_b = world_point(places.back());
   for (int i = 1; i + 1 < places.size(); ++i) result.between.push_back(world_point(places[i]));
+  for (const Attachment& end : joint.groove()) result.groove.push_back(world_point(end));
   RowSpecs<Real> specs;
   joint.append_rows(state.pose, specs);
   double sum = 0;

@@ -56,6 +56,7 @@ struct SnapshotJoint {
   Vec2<double> anchor_a = {0, 0};   // [m], world
   Vec2<double> anchor_b = {0, 0};   // [m], world
   List<Vec2<double>> between = {};  // [m], world: where a rope goes on its way from a to b
+  List<Vec2<double>> groove = {};   // [m], world: the ends of the line that b slides along; empty: none
   double drift = 0;                 // [m or rad], norm of what its rigid rows lack
   Vec2<double> impulse = {0, 0};    // [N s], on b, world
   double energy = 0;                // [J] that its springs hold

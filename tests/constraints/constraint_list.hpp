@@ -148,6 +148,67 @@ List<ConstraintUnderTest<Real>> gears_and_drag(const PerBody<Pose<double>>& star
   };
 }
 
+/// What joints have besides: servos, springs, ratchets and softness; and slots, wheels and racks.
+template <Scalar Real>
+List<ConstraintUnderTest<Real>> driven_joints(const PerBody<Pose<double>>& start, test::Random& random) {
+  using Kind = PrismaticJoint::Kind;
+  const BodyId a{1}, b{2}, c{3};
+  const Vec2<double> anchor = start[a].position + random.point(1),
+                     far_b = start[b].position + random.point(1);
+  const Vec2<double> axis = Rotation<double>(random.uniform(-pi, pi)) * Vec2<double>(1, 0);
+  const double far = 100;  // [m or rad] margin of limits, and a tooth that is never passed
+  const JointSpring spring{.softness = SwingSoftness{.frequency = 2, .damping_ratio = 0.5}, .rest = 0.3};
+  return {
+      {"revolute with a servo, a spring and a ratchet",
+       joint_rows<RevoluteJoint, Real>(
+           {.a = a,
+            .b = b,
+            .anchor = anchor,
+            .motor = RevoluteJoint::Motor{.speed = 2, .max_torque = 50, .target = 1},
+            .spring = spring,
+            .ratchet = -far},
+           start)},
+      {"slot", joint_rows<PrismaticJoint, Real>({.a = a,
+                                                 .b = b,
+                                                 .anchor = anchor,
+                                                 .axis = axis,
+                                                 .kind = Kind::slot,
+                                                 .lower = -0.1,
+                                                 .upper = 0.3,
+                                                 .limit_margin = far},
+                                                start)},
+      {"wheel", joint_rows<PrismaticJoint, Real>({.a = a,
+                                                  .b = b,
+                                                  .anchor = far_b,
+                                                  .axis = axis,
+                                                  .kind = Kind::wheel,
+                                                  .motor = PrismaticJoint::Motor{.speed = 1, .max_force = 9},
+                                                  .spring = spring},
+                                                 start)},
+      {"soft weld", joint_rows<WeldJoint, Real>({.a = a,
+                                                 .b = b,
+                                                 .anchor = anchor,
+                                                 .softness = spring.softness,
+                                                 .bending = SpringSoftness{.stiffness = 9, .damping = 1}},
+                                                start)},
+      {"rope with a least length", joint_rows<DistanceJoint, Real>({.a = a,
+                                                                    .b = b,
+                                                                    .anchor_a = anchor,
+                                                                    .anchor_b = far_b,
+                                                                    .kind = DistanceJoint::Kind::rope,
+                                                                    .least = 0.5,
+                                                                    .slack_margin = far},
+                                                                   start)},
+      {"rack",
+       joint_rows<GearJoint, Real>(
+           {.a = a, .b = b, .radius_a = 0.5, .mesh = GearJoint::Mesh::rack, .axis = axis}, start),
+       false},
+      {"rack on a carrier",
+       joint_rows<GearJoint, Real>(
+           {.a = a, .b = b, .c = c, .radius_a = 0.5, .mesh = GearJoint::Mesh::rack, .axis = axis}, start)},
+  };
+}
+
 /// The joints of two bodies, and contacts, between bodies 1 and 2 that start from these poses.
 template <Scalar Real>
 List<ConstraintUnderTest<Real>> constraints_of_two(const PerBody<Pose<double>>& start, test::Random& random) {
@@ -197,7 +258,8 @@ List<ConstraintUnderTest<Real>> constraints_of_two(const PerBody<Pose<double>>& 
 template <Scalar Real>
 List<ConstraintUnderTest<Real>> all_constraints(const PerBody<Pose<double>>& start, test::Random& random) {
   List<ConstraintUnderTest<Real>> constraints = constraints_of_two<Real>(start, random);
-  for (const auto& more : {pulleys<Real>(start, random), gears_and_drag<Real>(start, random)}) {
+  for (const auto& more : {pulleys<Real>(start, random), gears_and_drag<Real>(start, random),
+                           driven_joints<Real>(start, random)}) {
     constraints.insert(constraints.end(), more.begin(), more.end());
   }
   return constraints;

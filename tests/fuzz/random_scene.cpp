@@ -51,7 +51,15 @@ BodySpec random_spec(Choices& choices, bool plain) {
 std::optional<JointMotor> random_motor(Choices& choices) {
   if (!choices.one_in(3)) return {};
   const double speed = choices.between(-10, 10);
-  return JointMotor{.speed = speed, .max_force = choices.between(0, 100)};
+  JointMotor motor{.speed = speed, .max_force = choices.between(0, 100)};
+  if (choices.one_in(2)) motor.target = choices.between(-3, 3);
+  return motor;
+}
+
+JointSpring random_spring(Choices& choices) {
+  const double stiffness = choices.one_in(4) ? 1e9 : choices.between(0, 100);
+  return {.softness = SpringSoftness{.stiffness = stiffness, .damping = choices.between(0, 5)},
+          .rest = choices.between(-1, 1)};
 }
 
 /// A joint between two bodies at a point.
@@ -88,6 +96,25 @@ const List<Join>& joins() {
       },
       [](Scene& scene, BodyId a, BodyId b, const Vec2<double>&, Choices& choices) {
         scene.join<DifferentialJoint>({.a = a, .b = b, .c = random_body(scene, choices)});
+      },
+      [](Scene& scene, BodyId a, BodyId b, const Vec2<double>& at, Choices& choices) {
+        PrismaticJoint::Spec spec = {.a = a, .b = b, .anchor = at, .axis = point(1, choices)};
+        spec.kind = static_cast<PrismaticJoint::Kind>(choices.below(3));
+        spec.spring = random_spring(choices);
+        if (choices.one_in(3)) spec.ratchet = choices.between(-1, 1);
+        scene.change(scene.join<PrismaticJoint>(spec), random_motor(choices));
+      },
+      [](Scene& scene, BodyId a, BodyId b, const Vec2<double>& at, Choices& choices) {
+        RevoluteJoint::Spec spec = {.a = a, .b = b, .anchor = at, .spring = random_spring(choices)};
+        if (choices.one_in(3)) spec.ratchet = choices.between(-1, 1);
+        scene.change(scene.join<RevoluteJoint>(spec), random_motor(choices));
+      },
+      [](Scene& scene, BodyId a, BodyId b, const Vec2<double>&, Choices& choices) {
+        scene.join<GearJoint>({.a = a,
+                               .b = b,
+                               .c = random_body(scene, choices),
+                               .mesh = GearJoint::Mesh::rack,
+                               .axis = point(1, choices)});
       },
   };
   return all;

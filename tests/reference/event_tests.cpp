@@ -65,14 +65,3 @@ TEST_CASE(
   CHECK(end.contacts.size() == 2);
   CHECK(end.contacts[0].b == above);
 }
-
-TEST_CASE("a motor that is switched is refused for Box2D by name") {
-  Scene scene;
-  const BodyId disc = scene.add({.shapes = {circle(1)}});
-  const JointId axle = scene.join<RevoluteJoint>({.b = disc});
-  scene.add({.time = 1, .action = SwitchMotor{axle, JointMotor{.speed = 1, .max_force = 1}}});
-  CHECK_THROWS_WITH_AS(
-      Box2DWorld{scene},
-      "Box2DWorld: event must be a removal or an impulse, as its joints have no motor, got a motor",
-      std::invalid_argument);
-}
