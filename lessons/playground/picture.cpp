@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include <cairn/constraints/contact_rows.hpp>
 #include <cairn/math/check.hpp>
 #include <cairn/math/nearest.hpp>
 #include "lessons/playground/pointing.hpp"

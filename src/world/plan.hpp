@@ -15,6 +15,7 @@ struct SceneSize {
   int dynamic_bodies = 0;              // those with velocities to solve for
   int turning_bodies = 0;              // dynamic bodies that can turn
   int colliders = 0;                   // shapes
+  int pieces = 0;                      // those that are pieces of outlines
   int joints = 0;                      // of every kind
   List<std::string> shape_kinds = {};  // those that occur, sorted
 };
