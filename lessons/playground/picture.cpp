@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include <cairn/constraints/contact_rows.hpp>
 #include <cairn/math/check.hpp>
 #include <cairn/math/nearest.hpp>
 #include "lessons/playground/pointing.hpp"
@@ -172,9 +173,8 @@ void Picture::draw_forces(const Playground& playground, int number, const render
   List<int> friction_of(rows, -1);
   for (int i = 0; i < rows; ++i) {
     const Bounds<double>& bounds = look.given.rows[i].bounds;
-    const bool resists_rolling = look.given.rows[i].jacobian_b.head<2>().isZero(0);
-    const bool is_of_a_point =
-        bounds.is_friction() && bounds.second_normal_row < 0 && !(bounds.disc > 0) && !resists_rolling;
+    const bool is_of_a_point = bounds.is_friction() && bounds.second_normal_row < 0 && !(bounds.disc > 0) &&
+                               !is_rolling(look.given.rows[i]);
     if (is_of_a_point) friction_of[bounds.normal_row] = i;
   }
   for (int i = 0; i < rows; ++i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cairn/constraints/contact_rows.hpp>
 #include <cairn/math/list.hpp>
 #include "lessons/playground/picture.hpp"
 #include "render/plot.hpp"
@@ -20,6 +21,7 @@ constexpr double room_for_jacobian = 560;  // [px]
 constexpr double bars_above = 70;          // [px] for the panel's title and key
 
 std::string kind_of(const ConstraintRow<double>& row) {
+  if (is_rolling(row)) return "rolling";
   if (row.bounds.is_friction()) return "friction";
   return row.bounds.is_unilateral() ? "normal" : "joint";
 }

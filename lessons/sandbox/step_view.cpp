@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <cairn/constraints/contact_rows.hpp>
 #include <cairn/scenes/solver_list.hpp>
 #include <cairn/world/world.hpp>
 
@@ -44,7 +45,8 @@ PerRow<std::string> row_kinds(const VelocityProblem<double>& problem, const Scen
         const std::string name = scene.joints()[block]->name();
         kinds[i] = name == "friction" ? name + " joint" : name;
       } else {
-        kinds[i] = problem.rows[i].bounds.is_friction() ? "friction" : "contact";
+        const ConstraintRow<double>& row = problem.rows[i];
+        kinds[i] = is_rolling(row) ? "rolling" : row.bounds.is_friction() ? "friction" : "contact";
       }
     }
   }

@@ -23,6 +23,11 @@ constexpr bool is_friction_part(std::uint64_t part) { return (part & 1) == 1; }
 constexpr std::uint64_t rolling_part(std::uint32_t feature) {
   return normal_part(feature) | std::uint64_t{1} << 33;
 }
+/// Whether a row is one of rolling resistance: bounded as friction is, and it pushes nowhere.
+template <Scalar Real>
+bool is_rolling(const ConstraintRow<Real>& row) {
+  return row.bounds.is_friction() && row.jacobian_b.template head<2>().isZero(0);
+}
 /// RowKey::part of the k-th of so many rows of a contact.
 template <Scalar Real>
 std::uint64_t contact_part(const Manifold<Real>& manifold, int rows, int k) {

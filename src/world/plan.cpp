@@ -160,6 +160,7 @@ Plan make_plan(const Scene& scene) {
     plan.surfaces.rolling_resistance |= spec.material.rolling_resistance > 0 && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
       plan.size.colliders += piece_count(shape);
+      plan.size.pieces += is_piece(shape);
       kinds.insert(shape_name(shape));
     }
   }
@@ -201,6 +202,9 @@ std::string explain(const Plan& plan) {
   text += line("collision", plan.collision ? fmt::format("{}, {} shapes ({})", phase, plan.size.colliders,
                                                          fmt::join(plan.size.shape_kinds, ", "))
                                            : "left out: nothing can meet");
+  if (plan.size.pieces > 0)
+    text += line("outlines",
+                 fmt::format("cut into {} of these shapes, as they are not convex", plan.size.pieces));
   text +=
       line("joints", plan.size.joints > 0 ? fmt::format("{}", plan.size.joints) : "left out: there are none");
   text += lines_of_joints(plan.size);

@@ -15,6 +15,7 @@ struct SceneSize {
   int dynamic_bodies = 0;              // those with velocities to solve for
   int turning_bodies = 0;              // dynamic bodies that can turn
   int colliders = 0;                   // shapes
+  int pieces = 0;                      // those that are pieces of outlines
   int joints = 0;                      // of every kind
   int servos = 0;                      // motors with a target
   int joint_springs = 0;               // joints with a spring along what they leave free

@@ -84,6 +84,8 @@ TEST_CASE("pieces keep what shapes keep: a copy, another place, and no neighbour
   Scene scene;
   const BodyId one = scene.add({.shapes = shapes_of(ell), .position = {5, 5}, .angle = 1});
   CHECK(std::get<Polygon<double>>(scene.bodies()[one].spec.shapes[0]).is_piece);
+  CHECK(explain(make_plan(scene)).find("cut into 2 of these shapes") != std::string::npos);
+  CHECK(make_plan(Scene()).size.pieces == 0);
   World<double> world(scene);
   CHECK(world.scene().bodies()[one].spec.shapes.size() == 2);
   CHECK(scene.bodies()[one].mass == doctest::Approx(6));
