@@ -69,8 +69,10 @@ bool is_driven(const Scene& scene) {
            !(body.spec.velocity.isZero(0) && body.spec.angular_velocity == 0);
   };
   const auto runs = [](const SceneBody& body) { return body.spec.material.surface_speed != 0; };
-  const auto switches_motor = [](const SceneEvent& event) {
-    return std::holds_alternative<SwitchMotor>(event.action);
+  const auto drives = [](const SceneEvent& event) {
+    const auto* const change = std::get_if<ChangeBody>(&event.action);
+    const bool moves = change && (change->velocity || change->angular_velocity || change->surface_speed);
+    return moves || std::holds_alternative<SwitchMotor>(event.action);
   };
   PerBody<Pose<double>> poses;
   for (const SceneBody& body : scene.bodies()) poses.push_back(body.pose);
@@ -81,7 +83,7 @@ bool is_driven(const Scene& scene) {
   };
   return std::any_of(scene.bodies().begin(), scene.bodies().end(), moves_by_itself) ||
          std::any_of(scene.bodies().begin(), scene.bodies().end(), runs) ||
-         std::any_of(scene.events().begin(), scene.events().end(), switches_motor) ||
+         std::any_of(scene.events().begin(), scene.events().end(), drives) ||
          std::any_of(scene.joints().begin(), scene.joints().end(), gives_energy);
 }
 

@@ -105,6 +105,7 @@ void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> 
                                 has_same_neighbours((*before.colliders_)[old.collider_b], (*colliders_)[b]);
   }
   graph_.begin_with(std::move(contacts), std::move(manifolds));
+  sides_.carry_over(before.sides_, numbers);
 }
 
 /// Whether two shapes that are near, so that one can move, ever touch.

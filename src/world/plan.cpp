@@ -74,8 +74,9 @@ Plan make_plan(const Scene& scene) {
     plan.damping |= dynamic && (spec.damping.linear > 0 || spec.damping.angular > 0);
     rubbing_bodies += spec.material.friction > 0 && !spec.shapes.empty();
     plan.restitution |= spec.material.restitution > 0 && !spec.shapes.empty();
-    plan.surface_speed |=
+    plan.extras.surface_speed |=
         spec.material.surface_speed != 0 && spec.material.friction > 0 && !spec.shapes.empty();
+    plan.extras.one_way |= !spec.filter.one_way.isZero(0) && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
       plan.size.colliders += piece_count(shape);
       kinds.insert(shape_name(shape));
@@ -84,8 +85,12 @@ Plan make_plan(const Scene& scene) {
   plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
   plan.friction = plan.collision && rubbing_bodies > 1;
   plan.restitution &= plan.collision;
-  plan.surface_speed &= plan.friction;
+  plan.extras.surface_speed &= plan.friction;
+  plan.extras.one_way &= plan.collision;
   plan.size.joints = scene.joints().size();
+  for (int i = 0; i < plan.size.joints; ++i)
+    plan.extras.breaks |= scene.joints().hold(i).strength.is_finite();
+  for (const SceneEvent& event : scene.events()) plan.extras.touches |= event.touch.has_value();
   plan.broadphase = plan.size.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   const SceneSettings& settings = scene.settings();
   const ContactSearch search = settings.contact_search;
@@ -117,7 +122,13 @@ std::string explain(const Plan& plan) {
                                             : "one row a manifold, where mu > 0",
                                   "left out: no two bodies with mu > 0, no friction rows"));
   text += line("restitution", either(plan.restitution, "e > 0 on some body", "left out: e is 0 everywhere"));
-  if (plan.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
+  if (plan.extras.surface_speed)
+    text += line("surfaces", "some run like belts: friction asks for their speed");
+  if (plan.extras.one_way)
+    text += line("one-way", "some bodies hold off only what comes from their outer side");
+  if (plan.extras.touches)
+    text += line("touches", "events wait for them: after each step it is seen who touches");
+  if (plan.extras.breaks) text += line("breaking", "what some joints hold is added up in each step");
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));
   text += line("rotation", plan.size.turning_bodies == plan.size.dynamic_bodies

@@ -27,6 +27,14 @@ enum class SecondSolve {
   positions,    // velocities that move errors back and are forgotten
 };
 
+/// What few scenes require.
+struct PlanExtras {
+  bool surface_speed = false;  // some surface runs, and rubs on others
+  bool one_way = false;        // some body lets pass what comes from elsewhere than its outer side
+  bool touches = false;        // some event waits for a touch
+  bool breaks = false;         // some joint may break
+};
+
 /// Decided from the scene alone, before the first step.
 struct Plan {
   SceneSettings settings = {};                            // with what the scene has left out
@@ -39,7 +47,7 @@ struct Plan {
   bool damping = false;                                   // some body has it
   bool friction = false;                                  // some pair of bodies with mu > 0
   bool restitution = false;                               // some body with e > 0
-  bool surface_speed = false;                             // some surface runs, and rubs on others
+  PlanExtras extras = {};                                 // what few scenes have
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
   bool follows_arcs = false;                              // joints are asked to hold where a substep ends
@@ -47,9 +55,12 @@ struct Plan {
 
   /// Whether solvers that take contacts are given them without rows.
   bool contacts_without_rows() const {
-    const bool is_plain = !surface_speed && (settings.friction_rows == FrictionRows::per_point || !friction);
+    const bool is_plain =
+        !extras.surface_speed && (settings.friction_rows == FrictionRows::per_point || !friction);
     return collision && second_solve != SecondSolve::positions && is_plain;
   }
+  /// Whether steps are looked at for what comes about in them.
+  bool watches() const { return extras.touches || extras.breaks; }
   /// Whether the second solve is one of velocities.
   bool solves_again() const {
     return second_solve == SecondSolve::from_start || second_solve == SecondSolve::from_answer;

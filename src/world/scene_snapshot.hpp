@@ -21,4 +21,8 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
 template <Scalar Real>
 SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state);
 
+/// Adds what has broken and what was counted of a scene whose bodies are so.
+template <Scalar Real>
+void add_occurrences(const Scene& scene, const BodyState<Real>& state, Snapshot& snapshot);
+
 }  // namespace cairn

@@ -102,7 +102,7 @@ int TwoSolves<Real>::write_rows(const Parts& parts, StabilizationPass pass, bool
   problem.rule = contact_rule(settings.stabilization, pass, step.dt, settings.gravity.norm());
   problem.friction_rows = settings.friction_rows;
   problem.is_second = false;
-  if (step.plan.surface_speed) step.kinds.copy_surface_speeds(problem.surface_speed);
+  if (step.plan.extras.surface_speed) step.kinds.copy_surface_speeds(problem.surface_speed);
   int next = 0;
   const int apart = parts.joints.write(step, pass, problem, next, second_rows);
   problem.rows.resize(next);

@@ -10,6 +10,7 @@
 #include <cairn/world/body_kinds.hpp>
 #include <cairn/world/clock.hpp>
 #include <cairn/world/contact_cache.hpp>
+#include <cairn/world/event_watch.hpp>
 #include <cairn/world/hand.hpp>
 #include <cairn/world/joint_writer.hpp>
 #include <cairn/world/occupation.hpp>
@@ -108,7 +109,9 @@ class World {
   std::optional<World> after_events();
   StepReport step(Solver<Real>& solver, const StepWatch<Real>& watch);
   StepReport take_step(Solver<Real>& solver, const StepWatch<Real>& watch);
+  void begin_step();
   void leave_step();
+  void end_step();
   void substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch, StepReport& report);
   Substep<Real> now() const;
   Substep<Real> now_asleep();
@@ -125,6 +128,7 @@ class World {
   Hand hand_;
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   Clock clock_;
+  EventWatch<Real> watch_;
   StepRecord<Real> record_;
 
   // Scratch memory, kept so that a steady step allocates nothing.

@@ -1,4 +1,4 @@
-// Floor 5. Making a world from its scene, and changing what a user may change.
+// Floor 5. Making a world from its scene, changing what a user may change, and the ends of a step.
 #include <algorithm>
 
 #include <cairn/geometry/aabb.hpp>
@@ -129,6 +129,31 @@ void World<Real>::set_velocity(BodyId body, const Vec3<double>& velocity) {
   require_finite(velocity.z(), "World::set_velocity", "angular velocity", "rad/s");
   state_.velocity[body] = velocity.template cast<Real>();
   if (sleep_) sleep_->wake(body);
+}
+
+/// Whom the hand holds wakes; and it is kept what a step that is not done would go back to.
+template <Scalar Real>
+void World<Real>::begin_step() {
+  if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
+  if (plan_->settings.substeps > 1) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
+  if (plan_->extras.one_way) contacts_.begin_step();
+  if (plan_->watches()) watch_.begin();
+}
+
+/// Of a step that is not done: bodies are where it began. What was found on the way is found again.
+template <Scalar Real>
+void World<Real>::leave_step() {
+  if (plan_->settings.substeps > 1) state_.pose = first_pose_, state_.velocity = first_velocity_;
+  if (plan_->extras.one_way) contacts_.leave_step();
+  record_ = {};
+}
+
+/// The events that a step has made are due before the next one.
+template <Scalar Real>
+void World<Real>::end_step() {
+  if (!plan_->watches()) return;
+  std::optional<Scene> then = watch_.end(clock_.time, clock_.dt, *scene_);
+  if (then) scene_ = std::make_shared<const Scene>(std::move(*then));
 }
 
 template class World<float>;
