@@ -71,7 +71,8 @@ const List<SharedGroup>& shared_scene_groups() {
   static const List<SharedGroup> groups = {
       {"repeat", "Name"}, {"shape", "Shape"}, {"matter", "Matter"}, {"motion", "Motion"},
       {"joint", "Joint"}, {"pair", "Pair"},   {"anchor", "Anchor"}, {"distance", "Distance"},
-      {"slack", "Slack"}, {"soft", "Soft"},   {"give", "Give"},     {"pace", "Pace"}};
+      {"slack", "Slack"}, {"soft", "Soft"},   {"give", "Give"},     {"strength", "Strength"},
+      {"pace", "Pace"}};
   return groups;
 }
 
