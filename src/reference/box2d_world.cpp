@@ -9,8 +9,10 @@
 
 #include <cairn/math/check.hpp>
 #include <cairn/reference/box2d_contacts.hpp>
+#include <cairn/reference/box2d_events.hpp>
 #include <cairn/reference/box2d_shapes.hpp>
 #include <cairn/world/scene_length.hpp>
+#include <cairn/world/scene_snapshot.hpp>
 #include <cairn/math/list.hpp>
 
 namespace cairn {
@@ -85,13 +87,10 @@ double drift(const Constraint& joint, const PerBody<Pose<double>>& poses) {
 /// What this world of Box2D would ignore, and so must not be given.
 void check_contacts_of(const BodySpec& spec) {
   require(!spec.sensor, "Box2DWorld", "sensor", "false: sensors are not taken over", "true");
+  require(spec.filter.one_way.isZero(0), "Box2DWorld", "one_way", "[0, 0]: one-way bodies are not taken over",
+          "a direction");
   require(spec.filter.category <= box2d_filter_bits, "Box2DWorld", "category",
           "of the first 16 bits, as Box2D 2.4.1 has no more", spec.filter.category);
-}
-
-void check_event(const SceneEvent& event) {
-  require(!std::holds_alternative<SwitchMotor>(event.action), "Box2DWorld", "event",
-          "a removal or an impulse, as its joints have no motor", "a motor");
 }
 
 /// [m/s] Of each collider.
@@ -132,6 +131,7 @@ Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& 
   check(settings);
   for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
   for (const SceneEvent& event : scene.events()) check_event(event);
+  check_strengths(scene.joints());
   world.SetContactListener(&contacts);
   world.SetWarmStarting(scene.settings().warm_start);
   world.SetAllowSleeping(settings.sleeping);
@@ -186,6 +186,9 @@ void Box2DWorld::Simulation::do_event(const SceneEvent& event) {
     b2Body& body = *bodies[push->body];
     body.ApplyLinearImpulse(to_box2d(push->impulse), body.GetWorldPoint(to_box2d(push->point)), true);
   }
+  if (const auto* other = std::get_if<ChangeBody>(&event.action))
+    change_body(*bodies[other->body], scene.bodies()[other->body].spec.material, *other);
+  if (const auto* other = std::get_if<SetGravity>(&event.action)) world.SetGravity(to_box2d(other->gravity));
   if (const auto* removal = std::get_if<RemoveBody>(&event.action)) {
     world.DestroyBody(bodies[removal->body]);
     bodies[removal->body] = create_body(world, scene.bodies()[removal->body]);
@@ -267,6 +270,9 @@ Snapshot Box2DWorld::snapshot() const {
     poses.push_back(result.bodies.back().pose);
   }
   for (int i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, poses));
+  BodyState<double> state = state_of<double>(simulation.scene);
+  state.pose = poses;
+  add_occurrences(simulation.scene, state, result);
   return result;
 }
 

@@ -44,7 +44,8 @@ class Box2DWorld {
   /// Copies what it needs of the scene.
   /// @throws std::invalid_argument for what Box2D 2.4.1 does not have: rounded polygons, polygons of more
   /// than 8 vertices, categories beyond 16 bits; for sensors, joints other than rods and plain pins, rods
-  /// shorter than 0.005 m, capsules of a radius of 0.02 m or less; for events that switch a motor; and for
+  /// shorter than 0.005 m, capsules of a radius of 0.02 m or less; for one-way bodies and joints that may
+  /// break; for events that switch a motor, wait for a touch, or change a surface speed or a sensor; and for
   /// negative iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();
