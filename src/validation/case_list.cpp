@@ -34,7 +34,7 @@ const List<ValidationCase>& validation_cases() {
              add_wedge_cases,    add_pendulum_cases,  add_wheel_cases,   add_modes_cases,  add_spring_cases,
              add_pulley_cases,   add_mechanism_cases, add_rotor_cases,   add_pop_cases,    add_capstan_cases,
              add_overhang_cases, add_arch_cases,      add_silo_cases,    add_puck_cases,   add_rocking_cases,
-             add_string_cases,   add_slip_cases,
+             add_string_cases,   add_slip_cases,      add_event_cases,
          }) {
       add(all);
     }
