@@ -44,6 +44,17 @@ TEST_CASE("a springy rod breaks by the force that it has, under the policy soft"
   CHECK(left_after(hanging(1, 0.95 * g, soft), 120) == 0);
 }
 
+TEST_CASE("what takes an error back breaks nothing, where its speed is not the body's") {
+  for (const StabilizationPolicy policy :
+       {StabilizationPolicy::relaxed, StabilizationPolicy::split_impulse}) {
+    Scene scene = hanging(1, g * (1 + 1e-6), {.stabilization = {.policy = policy}});
+    displace(scene, {1}, {0, -0.1});
+    const World<double> world = world_after(scene, 120);
+    CHECK(world.scene().joints().size() == 1);
+    CHECK(pose_of(world, {1}).position.y() == doctest::Approx(-2).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("a rod breaks once what it whirls needs more than m w^2 r") {
   const double mass = 3, radius = 2, speed = 4;  // [kg], [m], [rad/s]
   const auto left = [&](double share) {
