@@ -79,13 +79,16 @@ void draw_world(Page& page, const Camera& camera, const Snapshot& snapshot, cons
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
     if (!can_move(body)) draw_static_body(page, camera, body, id);
     if (!can_move(body)) draw_belt(page, camera, body, id, snapshot.time);
+    if (!can_move(body)) draw_one_way(page, camera, body);
   });
   draw_joint_lines(page, camera, snapshot);
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
     if (can_move(body)) draw_dynamic_body(page, camera, body, id, look);
     if (can_move(body)) draw_belt(page, camera, body, id, snapshot.time);
+    if (can_move(body)) draw_one_way(page, camera, body);
   });
   draw_joint_ends(page, camera, snapshot);
+  draw_broken_joints(page, camera, snapshot);
   for_each_body(snapshot, [&](const SnapshotBody& body, BodyId id) {
     if (can_move(body)) write_name(page, camera, body, id, look);
   });

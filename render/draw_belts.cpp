@@ -1,4 +1,5 @@
-// Surfaces that run: marks along the outline, which go with it from frame to frame.
+// Surfaces that run, with marks along the outline that go with it from frame to frame; and those that hold
+// off only what comes from one side, with marks that point there.
 #include <algorithm>
 #include <cmath>
 
@@ -85,6 +86,30 @@ void draw_belt(Page& page, const Camera& camera, const SnapshotBody& body, BodyI
       if (is_drawn)
         for (double at = begin; at <= last; at += pitch) draw_mark(page.canvas(), edge, at, stroke);
       passed += edge.length;
+    }
+  }
+}
+
+void draw_one_way(Page& page, const Camera& camera, const SnapshotBody& body) {
+  if (body.filter.one_way.isZero(0) || !has_place(camera, body.pose)) return;
+  const Vec2<double> outwards = Rotation<double>(body.pose.angle) * body.filter.one_way.normalized();
+  const Point direction(outwards.x(), -outwards.y());
+  const Stroke stroke{.width = 1.5, .color = page.theme().outline};
+  for (const Shape<double>& shape : body.shapes) {
+    for (Edge edge : edges_of(outline_of(camera, body.pose, shape), true)) {
+      if (!(edge.outward.dot(direction) > 0.5)) continue;
+      const auto [first, last] = seen_part(edge, camera.viewport);
+      const double marks = std::max(1.0, std::floor(edge.length / pitch));
+      const double begin = edge.length / marks / 2;
+      // Turned, a mark of a belt points outwards.
+      for (double at = begin; at <= std::min(last, edge.length); at += edge.length / marks) {
+        if (at < first) continue;
+        const Point middle = edge.from + at * edge.along - inside * direction;
+        draw_mark(page.canvas(),
+                  {middle + inside * perpendicular<double>(direction), direction,
+                   perpendicular<double>(direction), 0},
+                  0, stroke);
+      }
     }
   }
 }

@@ -89,6 +89,17 @@ void draw_orientation(Page& page, const Camera& camera, const SnapshotBody& body
   page.avoid({from, to});  // beside a number it would read as a sign
 }
 
+/// What is seen to touch and does not push.
+void draw_sensor(Page& page, const Camera& camera, const SnapshotBody& body) {
+  const Stroke stroke{.width = page.sizes().outline, .color = page.theme().secondary_text, .dash = {6, 5}};
+  for (const Shape<double>& shape : body.shapes) {
+    Outline outline = clipped(outline_of(camera, body.pose, shape), grown(camera.viewport, cut));
+    if (outline.empty()) continue;
+    outline.push_back(outline.front());
+    page.canvas().polyline(outline, stroke);
+  }
+}
+
 }  // namespace
 
 std::string name_of(const WorldLook& look, BodyId body) {
@@ -113,6 +124,7 @@ double name_size(const Page& page, const Camera& camera, const SnapshotBody& bod
 
 void draw_static_body(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id) {
   if (!has_place(camera, body.pose)) return;
+  if (body.sensor) return draw_sensor(page, camera, body);
   const Paint line{.outline = page.theme().outline, .outline_width = page.sizes().outline};
   for (const Shape<double>& shape : body.shapes) {
     if (is_line(shape)) {

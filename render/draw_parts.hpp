@@ -57,6 +57,8 @@ void draw_dynamic_body(Page& page, const Camera& camera, const SnapshotBody& bod
                        const WorldLook& look);
 /// Marks along a surface that runs, which go with it: `time` [s] is that of the picture.
 void draw_belt(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, double time);
+/// Marks along the surface of what is one-way: they point to where it holds off what comes.
+void draw_one_way(Page& page, const Camera& camera, const SnapshotBody& body);
 void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, const WorldLook& look);
 
 /// What is seen behind everything: water, and points that attract.
@@ -71,6 +73,8 @@ void draw_joint_ends(Page& page, const Camera& camera, const Snapshot& snapshot)
 /// What a joint has besides: the groove that it slides in, a spring, the teeth of a ratchet, the box of a
 /// servo.
 void draw_joint_marks(Page& page, const Camera& camera, const Snapshot& snapshot, const SnapshotJoint& joint);
+/// What is left of joints that have broken: their ends.
+void draw_broken_joints(Page& page, const Camera& camera, const Snapshot& snapshot);
 
 void draw_penetrations(Page& page, const Camera& camera, const Snapshot& snapshot);
 void draw_contacts(Page& page, const Camera& camera, const Snapshot& snapshot, const WorldLook& look);

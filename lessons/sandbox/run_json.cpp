@@ -79,8 +79,9 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
                {"energy_loss", result.energy_loss},
                {"farthest_m", result.farthest},
                {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
-               {"places", places_json(scene, run)},
-               {"asked", asked_json(run.judgement)},
+               {"places", places_json(scene, run)}});
+  json.update(occurrences_json(scene, run.occurrences));
+  json.update({{"asked", asked_json(run.judgement)},
                {"missed", run.judgement.missed()},
                {"failures", run.judgement.failures},
                {"build", build_json()},

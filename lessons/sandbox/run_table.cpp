@@ -231,6 +231,7 @@ void print_run(const SceneEntry& scene, const SceneRun& run, Console& console) {
   print_standing(scene, run, console);
   print_jitter(result, console);
   print_places(scene, run, console);
+  for (const auto& [name, text] : occurrence_lines(scene, run.occurrences)) print_line(console, name, text);
   print_failures(run, console);
   const std::string verdict = verdict_text(scene, run);
   const bool is_good = run.judgement.meets();

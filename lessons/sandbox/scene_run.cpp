@@ -37,6 +37,7 @@ class RunKeeper {
     const bool finite = is_finite(snapshot);
     const Overlap in_ground = deepest_in_ground(snapshot);
     if (in_ground.depth > run_.in_ground.depth) run_.in_ground = in_ground;
+    run_.occurrences.see(snapshot);
     const long long step = seen_++;
     const double time = static_cast<double>(step) * dt_;  // [s]
     // As many frames as have become due; where steps are longer than frames, each step is one.
@@ -88,13 +89,20 @@ class RunKeeper {
   std::int64_t updates_before_ = 0;
 };
 
+TrackNames track_names(const SceneEntry& scene) {
+  const Scene made = scene.make();
+  return {.bodies = scene.body_names,
+          .joints = scene.joint_ids,
+          .sensors = sensors_of(made),
+          .counters = counters_of(made)};
+}
+
 }  // namespace
 
 SceneRun run_scene(const SceneEntry& scene, const Setting& setting, const RunWish& wish,
                    const ConsoleSettings& console) {
   SceneRun run{.setting = setting};
-  if (!wish.tracks.empty())
-    run.tracks = std::make_shared<TrackRecorder>(wish.tracks, TrackNames{scene.body_names, scene.joint_ids});
+  if (!wish.tracks.empty()) run.tracks = std::make_shared<TrackRecorder>(wish.tracks, track_names(scene));
   RunKeeper keeper(setting, wish, run);
   TrialOptions options = trial_options(scene);
   options.seconds = wish.seconds;

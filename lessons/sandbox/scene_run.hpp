@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lessons/kit/console.hpp"
+#include "lessons/sandbox/occurrences.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/measure/csv.hpp>
 #include <cairn/measure/tracks.hpp>
@@ -31,6 +32,7 @@ struct SceneRun {
   List<Snapshot> frames = {};   // none that is not finite; of a run that ends badly, its end too
   CsvTable series = {};         // time_s, kinetic_J, ...
   std::shared_ptr<TrackRecorder> tracks = {};  // null: none were wanted
+  Occurrences occurrences = {};                // in sensors, of joints and of events
   Overlap in_ground = {};  // the deepest of a body whose joint keeps it from touching the ground
   bool stopped = false;    // by RunWish::stops
 };

@@ -37,11 +37,20 @@ struct SolverMemory {
   std::string unknown = {};
 };
 
-/// "2, the first at 0.5 s, the last at 2 s".
+/// "2, the first at 0.5 s, the last at 2 s; 3 of touches".
 std::string events_text(const List<SceneEvent>& events) {
-  if (events.size() == 1) return fmt::format("1, at {:g} s", events.front().time);
-  return fmt::format("{}, the first at {:g} s, the last at {:g} s", events.size(), events.front().time,
-                     events.back().time);
+  List<double> times;
+  for (const SceneEvent& event : events) {
+    if (!event.touch) times.push_back(event.time);
+  }
+  const int touches = events.size() - times.size();
+  std::string text;
+  if (times.size() == 1) text = fmt::format("1, at {:g} s", times.front());
+  if (times.size() > 1)
+    text =
+        fmt::format("{}, the first at {:g} s, the last at {:g} s", times.size(), times.front(), times.back());
+  if (touches > 0) text += fmt::format("{}{} of touches", text.empty() ? "" : "; ", touches);
+  return text;
 }
 
 SceneCounts counts_of(const Scene& scene, const World<double>& after, int contacts) {

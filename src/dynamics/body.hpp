@@ -38,6 +38,9 @@ enum class BodyType { static_body, kinematic, dynamic };
 struct CollisionFilter {
   std::uint32_t category = 1;         // bits: what it is
   std::uint32_t collides_with = ~0u;  // bits: of which categories both must accept the other's
+  /// In the frame of a static or kinematic body, of any length: only what comes from where it points to is
+  /// held off, and what comes from elsewhere passes. Zero: everything is held off.
+  Vec2<double> one_way = {0, 0};
 
   /// Member by member.
   bool operator==(const CollisionFilter&) const = default;

@@ -100,6 +100,8 @@ Drive::Drive(const Scene& scene) {
     const auto* const switched = std::get_if<SwitchMotor>(&event.action);
     if (switched != nullptr && switched->motor)
       power_ += motor_power(switched->motor->speed, switched->motor->max_force);
+    if (const auto* const change = std::get_if<ChangeBody>(&event.action))
+      speed_ = std::max(speed_, own_speed(changed(scene.bodies()[change->body].spec, *change)));
   }
 }
 

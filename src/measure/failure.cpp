@@ -70,7 +70,9 @@ bool is_driven(const Scene& scene) {
   };
   const auto runs = [](const SceneBody& body) { return body.spec.material.surface_speed != 0; };
   const auto drives = [](const SceneEvent& event) {
-    return std::holds_alternative<SwitchMotor>(event.action) || is_lasting(event.action);
+    const auto* const change = std::get_if<ChangeBody>(&event.action);
+    const bool moves = change && (change->velocity || change->angular_velocity || change->surface_speed);
+    return moves || std::holds_alternative<SwitchMotor>(event.action) || is_lasting(event.action);
   };
   PerBody<Pose<double>> poses;
   for (const SceneBody& body : scene.bodies()) poses.push_back(body.pose);

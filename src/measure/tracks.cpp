@@ -1,8 +1,6 @@
 // Floor 6. Quantities by name.
 #include <cairn/measure/tracks.hpp>
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -79,10 +77,6 @@ const OfScene scene_quantities[] = {
     {"overlap", "m", [](const Snapshot& now, double) { return worst_penetration(now); }},
     {"drift", "", [](const Snapshot& now, double) { return worst_joint_drift(now); }}};
 
-bool matches(const std::string& pattern, const std::string& text) {
-  return fnmatch(pattern.c_str(), text.c_str(), FNM_NOESCAPE) == 0;
-}
-
 bool has_star(const std::string& text) { return text.find('*') != std::string::npos; }
 
 template <typename Thing, std::size_t count>
@@ -125,7 +119,7 @@ TrackRecorder::TrackRecorder(const List<std::string>& patterns, TrackNames names
     const bool of_pair = name.find(':') != std::string::npos;
     const bool known = dot == std::string::npos ? take_scene(pattern)
                        : of_pair                ? take_pairs(name, quantity)
-                                                : take_bodies(name, quantity) | take_joints(name, quantity);
+                                                : take_things(name, quantity);
     if (!known) refuse(pattern);
   }
 }
@@ -263,6 +257,8 @@ void TrackRecorder::refuse(const std::string& pattern) const {
   add_names(scene_quantities, "", known);
   for (const std::string& name : names_.bodies) add_names(body_quantities, name + ".", known);
   for (const auto& entry : names_.joints) add_names(joint_quantities, entry.first + ".", known);
+  for (const BodyId sensor : names_.sensors) known.push_back(names_.bodies[sensor] + ".touching");
+  for (const std::string& counter : names_.counters) known.push_back(counter + ".count");
   const std::string near = nearest(pattern, known);
   const std::string body = names_.bodies.size() > 1 ? names_.bodies[{1}] : "NAME";
   const std::string joint = names_.joints.empty() ? "" : ", " + names_.joints.begin()->first + ".force";

@@ -8,15 +8,23 @@
 
 #include <cairn/math/list.hpp>
 #include <cairn/measure/csv.hpp>
+#include <cairn/world/scene.hpp>
 #include <cairn/world/snapshot.hpp>
 
 namespace cairn {
 
-/// What the bodies and joints of a scene are called.
+/// What the bodies and joints of a scene are called, and what its events count.
 struct TrackNames {
   PerBody<std::string> bodies = {};            // of each body, the ground first
   std::map<std::string, JointId> joints = {};  // by name
+  List<BodyId> sensors = {};                   // which bodies are sensors
+  List<std::string> counters = {};             // CountTouches::counter of events
 };
+
+/// The sensors of a scene.
+List<BodyId> sensors_of(const Scene& scene);
+/// The counters of its events, by their names.
+List<std::string> counters_of(const Scene& scene);
 
 /// One quantity over time.
 struct Track {
@@ -36,7 +44,8 @@ struct PairImpulse {
 /// Keeps quantities of a run:
 ///   NAME.QUANTITY  of a body: x, y [m], angle [rad], vx, vy, speed [m/s], omega [rad/s], kinetic [J];
 ///                  of a joint: force, fx, fy [N] on its second body, impulse [N s], drift [m or rad],
-///                  energy [J] of its springs
+///                  energy [J] of its springs;
+///                  of a sensor: touching, how many bodies touch it; of a counter: count
 ///   A:B.QUANTITY   of all contacts of two bodies: force, fx, fy [N] on B, normal, friction [N], impulse
 ///                  [N s], overlap [m]
 ///   QUANTITY       of the scene: kinetic, potential, spring, energy [J], px, py [N s], angular_momentum
@@ -66,9 +75,13 @@ class TrackRecorder {
   using Pair = std::pair<BodyId, BodyId>;
   using Source = std::function<double(const Snapshot&)>;
 
+  static bool matches(const std::string& pattern, const std::string& text);
   bool take_scene(const std::string& pattern);
   bool take_bodies(const std::string& name, const std::string& quantity);
   bool take_joints(const std::string& name, const std::string& quantity);
+  bool take_things(const std::string& name, const std::string& quantity);
+  bool take_sensors(const std::string& name, const std::string& quantity);
+  bool take_counters(const std::string& name, const std::string& quantity);
   bool take_pairs(const std::string& names, const std::string& quantity);
   void take_pair(const Pair& pair, const std::string& quantity);
   void meet_pairs();

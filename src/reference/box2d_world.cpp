@@ -11,6 +11,7 @@
 #include <cairn/reference/box2d_acting.hpp>
 #include <cairn/reference/box2d_contacts.hpp>
 #include <cairn/reference/box2d_joints.hpp>
+#include <cairn/reference/box2d_events.hpp>
 #include <cairn/reference/box2d_shapes.hpp>
 #include <cairn/world/plan.hpp>
 #include <cairn/world/scene_length.hpp>
@@ -79,17 +80,19 @@ void check(const Box2DSettings& settings) {
 /// What this world of Box2D would ignore, and so must not be given.
 void check_contacts_of(const BodySpec& spec) {
   require(!spec.sensor, "Box2DWorld", "sensor", "false: sensors are not taken over", "true");
+  require(spec.filter.one_way.isZero(0), "Box2DWorld", "one_way", "[0, 0]: one-way bodies are not taken over",
+          "a direction");
   require(spec.filter.category <= box2d_filter_bits, "Box2DWorld", "category",
           "of the first 16 bits, as Box2D 2.4.1 has no more", spec.filter.category);
 }
 
 void check_surfaces(const Scene& scene) {
   const Plan plan = make_plan(scene);
-  require(!plan.surfaces.static_friction, "Box2DWorld", "static_friction",
+  require(!plan.extras.static_friction, "Box2DWorld", "static_friction",
           "that of sliding, as Box2D has one coefficient", "more");
-  require(!plan.surfaces.impact_sequence, "Box2DWorld", "impacts", "at once, as Box2D has no other law",
+  require(!plan.extras.impact_sequence, "Box2DWorld", "impacts", "at once, as Box2D has no other law",
           "a sequence");
-  require(!plan.surfaces.rolling_resistance, "Box2DWorld", "rolling_resistance", "0, as Box2D 2.4.1 has none",
+  require(!plan.extras.rolling_resistance, "Box2DWorld", "rolling_resistance", "0, as Box2D 2.4.1 has none",
           "more");
 }
 
@@ -122,6 +125,8 @@ Box2DWorld::Simulation::Simulation(const Scene& the_scene, const Box2DSettings& 
   check(settings);
   for (const SceneBody& body : scene.bodies()) check_contacts_of(body.spec);
   check_surfaces(scene);
+  for (const SceneEvent& event : scene.events()) check_event(event);
+  check_strengths(scene.joints());
   world.SetContactListener(&contacts);
   world.SetWarmStarting(scene.settings().warm_start);
   world.SetAllowSleeping(settings.sleeping);
@@ -179,6 +184,9 @@ void Box2DWorld::Simulation::do_event(const SceneEvent& event) {
     const std::optional<int> number = scene.joints().number_of(other->joint);
     if (number) set_motor(*joints[*number], other->motor);
   }
+  if (const auto* other = std::get_if<ChangeBody>(&event.action))
+    change_body(*bodies[other->body], scene.bodies()[other->body].spec.material, *other);
+  if (const auto* other = std::get_if<SetGravity>(&event.action)) world.SetGravity(to_box2d(other->gravity));
   if (const auto* removal = std::get_if<RemoveBody>(&event.action)) {
     world.DestroyBody(bodies[removal->body]);
     bodies[removal->body] = create_body(world, scene.bodies()[removal->body]);
@@ -284,6 +292,7 @@ Snapshot Box2DWorld::snapshot() const {
   result.forces = forces_at(simulation.scene, result.bodies, result.time);
   const BodyState<double> state = simulation.state();
   for (int i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, state));
+  add_occurrences(simulation.scene, state, result);
   return result;
 }
 

@@ -50,8 +50,9 @@ class Box2DWorld {
   /// than 8 vertices, categories beyond 16 bits; rods, ropes and springs shorter than 0.005 m, elastic ropes,
   /// springs and ratchets of pins and slides, motors of slots, welds that are soft in their place, square
   /// friction, pulleys of other than two ends on the ground, gears but of bodies that pins or slides hold to
-  /// the ground, differentials; for sensors, capsules of a radius of 0.02 m or less; and for negative
-  /// iteration counts.
+  /// the ground, differentials; for sensors, capsules of a radius of 0.02 m or less; for one-way bodies and
+  /// joints that may break; for events that wait for a touch, or change a surface speed or a sensor; and for
+  /// negative iteration counts.
   explicit Box2DWorld(const Scene& scene, const Box2DSettings& settings = {});
   ~Box2DWorld();
   Box2DWorld(const Box2DWorld&) = delete;

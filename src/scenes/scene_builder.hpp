@@ -52,6 +52,9 @@ class SceneBuilder {
       require_movable(table, *joint);
       const JointId id = scene_.join(joint, collision);
       if (table.has("frequency")) scene_.change(id, spring_of(table));
+      JointStrength strength;
+      table.read(strength);
+      if (strength.is_finite()) scene_.change(id, strength);
       names_.add(name, id);
     });
   }

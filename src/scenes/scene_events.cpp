@@ -15,9 +15,26 @@ namespace {
 const std::map<std::string, List<std::string>>& event_keys() {
   static const std::map<std::string, List<std::string>> keys = {
       {"remove", {}},
+      {"break", {}},
       {"push", {"impulse", "point"}},
-      {"motor", {"speed", "max_torque", "max_force", "target", "off"}}};
+      {"motor", {"speed", "max_torque", "max_force", "target", "off"}},
+      {"change", {"velocity", "angular_velocity", "friction", "restitution", "surface_speed", "sensor"}},
+      {"gravity", {}},
+      {"count", {}}};
   return keys;
+}
+
+/// Whether it waits for a touch, and not for its time. @throws std::invalid_argument unless it is one of the
+/// two, with keys of that one alone.
+bool waits_for_touch(const SceneTable& table) {
+  int found = 0;
+  for (const char* key : {"time", "touch", "leave"}) found += table.has(key);
+  if (found != 1)
+    table.refuse("", "an event with a time, or else a touch or a leave", found == 0 ? "none" : "several");
+  for (const char* key : {"by", "delay", "times"}) {
+    if (table.has("time") && table.has(key)) table.refuse(key, "left out of an event with a time");
+  }
+  return !table.has("time");
 }
 
 /// Which of them a table is. @throws std::invalid_argument unless it is one, with keys of that one alone.
@@ -27,7 +44,8 @@ std::string event_kind(const SceneTable& table) {
     if (table.has(kind)) kinds += (kinds.empty() ? "" : " and ") + kind;
   }
   if (!event_keys().contains(kinds))
-    table.refuse("", "one of remove, push and motor", kinds.empty() ? "none of them" : kinds);
+    table.refuse("", "one of remove, break, push, motor, change, gravity and count",
+                 kinds.empty() ? "none of them" : kinds);
   for (const auto& [kind, keys] : event_keys()) {
     for (const std::string& key : keys) {
       if (kind != kinds && table.has(key)) table.refuse(key, "left out of an event without " + kind);
@@ -36,23 +54,47 @@ std::string event_kind(const SceneTable& table) {
   return kinds;
 }
 
-/// Reads events in the order of their times, and knows what those before have left of the scene.
+/// Reads events in the order of their times, and knows what those before have left of the scene. Those that
+/// wait for a touch come last, and may happen to all that was there at the start.
 class EventReader {
  public:
   explicit EventReader(SceneBuilder& builder) : builder_(builder), then_(builder.scene()) {}
 
   void read(const SceneTable& table) {
-    const std::string kind = event_kind(table);
-    const SceneAction action = kind == "remove" ? removal(table)
-                               : kind == "push" ? push(table)
-                                                : motor(table);
-    const SceneEvent event{.time = table.get<double>("time"), .action = action};
-    builder_.add(table, event);
+    if (waits_for_touch(table)) return read_touch(table);
+    const SceneAction action = read_action(table);
+    builder_.add(table, {.time = table.get<double>("time"), .action = action});
     then_.add({.time = 0, .action = action});
     then_.do_events(0);
   }
 
  private:
+  void read_touch(const SceneTable& table) {
+    then_ = builder_.scene();
+    const bool begins = table.has("touch");
+    SceneEvent event{.time = table.get<double>("delay"),
+                     .touch = TouchCondition{
+                         .a = builder_.names().bodies(table, begins ? "touch" : "leave"),
+                         .change = begins ? TouchCondition::Change::begins : TouchCondition::Change::ends}};
+    if (table.has("by")) event.touch->b = builder_.names().bodies(table, "by");
+    if (table.has("times")) event.times = table.get<int>("times");
+    event.action = read_action(table);
+    builder_.add(table, event);
+  }
+
+  SceneAction read_action(const SceneTable& table) {
+    const std::string kind = event_kind(table);
+    if (kind == "remove") return removal(table);
+    if (kind == "push") return push(table);
+    if (kind == "motor") return motor(table);
+    if (kind == "change") return change(table);
+    if (kind == "break") return BreakJoint{.joint = joint(table, "break")};
+    if (kind == "gravity") return SetGravity{.gravity = table.get<Vec2<double>>("gravity")};
+    if (!table.has("touch") && !table.has("leave"))
+      table.refuse("count", "beside a touch or a leave that it counts");
+    return CountTouches{.counter = SceneNames::given(table, "count")};
+  }
+
   SceneAction removal(const SceneTable& table) const {
     const std::variant<BodyId, JointId> found = builder_.names().body_or_joint(table, "remove");
     if (std::holds_alternative<JointId>(found)) return RemoveJoint{.joint = joint(table, "remove")};
@@ -70,6 +112,18 @@ class EventReader {
     const Vec2<double> point = table.has("point") ? table.get<Vec2<double>>("point") : begins.position;
     return PushBody{
         .body = body, .impulse = table.get<Vec2<double>>("impulse"), .point = begins.local(point)};
+  }
+
+  SceneAction change(const SceneTable& table) const {
+    const BodyId body = standing_body(table, "change");
+    if (body == ground) table.refuse("change", "the name of a body other than the ground");
+    ChangeBody change{.body = body};
+    table.read(change);
+    const List<std::string>& keys = event_keys().at("change");
+    const auto is_given = [&table](const std::string& key) { return table.has(key); };
+    if (std::none_of(keys.begin(), keys.end(), is_given))
+      table.refuse("change", "beside a velocity, a friction or another value that it gets", "none of them");
+    return change;
   }
 
   SceneAction motor(const SceneTable& table) {
@@ -119,11 +173,14 @@ void build_events(SceneBuilder& builder, const SceneTable& file) {
   if (events.empty()) return;
   const double end = file.get<double>("seconds");
   for (const SceneTable& event : events) {
-    if (event.get<double>("time") < end) continue;
+    if (!event.has("time") || event.get<double>("time") < end) continue;
     event.refuse("time", "before the end of the scene, which is at " + shortest(end) + " s");
   }
-  std::stable_sort(events.begin(), events.end(), [](const SceneTable& one, const SceneTable& other) {
-    return one.get<double>("time") < other.get<double>("time");
+  const auto time_of = [](const SceneTable& event) {
+    return event.has("time") ? event.get<double>("time") : std::numeric_limits<double>::infinity();
+  };
+  std::stable_sort(events.begin(), events.end(), [&](const SceneTable& one, const SceneTable& other) {
+    return time_of(one) < time_of(other);
   });
   EventReader reader(builder);
   for (const SceneTable& event : events) reader.read(event);

@@ -170,6 +170,7 @@ void join_from(SceneBuilder& builder, const SceneTable& table, const std::string
 SceneTableKind of_type(const std::string& name, List<std::string> groups, const std::string& meaning,
                        void (*join)(const ScenePair&)) {
   groups.insert(groups.begin(), "joint");
+  groups.push_back("strength");
   return {name, "type = \"" + name + "\"", groups, meaning, nullptr, join};
 }
 

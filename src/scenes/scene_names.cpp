@@ -27,11 +27,14 @@ std::string names_rule(const std::string& what, const std::string& word, const L
 
 }  // namespace
 
+std::string SceneNames::given(const SceneTable& table, const std::string& key) {
+  const std::string name = table.get<std::string>(key);
+  if (!is_scene_name(name)) table.refuse(key, "1 to 60 letters, digits, _ and -");
+  return name;
+}
+
 std::string SceneNames::claim(const SceneTable& table, const std::string& fallback) {
-  const std::string name = table.has("name") ? table.get<std::string>("name") : fallback;
-  if (table.has("name") && !is_scene_name(name)) {
-    table.refuse("name", "1 to 60 letters, digits, _ and -");
-  }
+  const std::string name = table.has("name") ? given(table, "name") : fallback;
   if (!claimed_.insert(name).second) {
     if (name == "ground") table.refuse("name", "another name: \"ground\" is what cannot move");
     table.refuse("name", "a name that nothing else has", '"' + name + "\" once more");

@@ -23,6 +23,8 @@ class SceneNames {
   /// Nothing else has the name.
   void add(const std::string& name, JointId joint) { joint_ids_.emplace(name, joint); }
 
+  /// A name of its own that a key gives. @throws std::invalid_argument for what is none.
+  static std::string given(const SceneTable& table, const std::string& key);
   /// The body that a key names.
   BodyId body(const SceneTable& table, const std::string& key) const;
   /// The same, or with "row.*" all bodies of a row.

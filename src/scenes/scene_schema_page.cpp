@@ -69,10 +69,10 @@ struct SharedGroup {
 
 const List<SharedGroup>& shared_scene_groups() {
   static const List<SharedGroup> groups = {
-      {"repeat", "Name"},    {"shape", "Shape"}, {"matter", "Matter"}, {"motion", "Motion"},
-      {"joint", "Joint"},    {"pair", "Pair"},   {"anchor", "Anchor"}, {"distance", "Distance"},
-      {"slack", "Slack"},    {"soft", "Soft"},   {"give", "Give"},     {"pace", "Pace"},
-      {"lasting", "Lasting"}};
+      {"repeat", "Name"}, {"shape", "Shape"}, {"matter", "Matter"}, {"motion", "Motion"},
+      {"joint", "Joint"}, {"pair", "Pair"},   {"anchor", "Anchor"}, {"distance", "Distance"},
+      {"slack", "Slack"}, {"soft", "Soft"},   {"give", "Give"},     {"strength", "Strength"},
+      {"pace", "Pace"}, {"lasting", "Lasting"}};
   return groups;
 }
 

@@ -31,7 +31,11 @@ class WorldContestant final : public Contestant {
         solver_(make_solver<Real>(setting.solver, setting.sweeps)),
         twin_(make_solver<Real>(setting.solver, setting.sweeps)) {}
 
-  bool do_events() override { return cairn::do_events(world_); }
+  bool do_events() override {
+    const bool any = cairn::do_events(world_);
+    if (any && impulses_) impulses_->clear();  // of a step whose joints may be gone
+    return any;
+  }
   void step() override { report_ = impulses_ ? world_.step(*solver_, *impulses_) : world_.step(*solver_); }
   std::optional<BodyId> not_finite() const override { return report_.not_finite; }
   std::optional<double> unfinished() const override {
@@ -79,7 +83,11 @@ class Box2DContestant final : public Contestant {
     (void)worst_penetration(world_.snapshot());  // refuses more pairs than a step of Cairn takes
   }
 
-  bool do_events() override { return world_.do_events(); }
+  bool do_events() override {
+    const bool any = world_.do_events();
+    if (any && impulses_) impulses_->clear();  // of a step whose joints may be gone
+    return any;
+  }
   void step() override {
     if (impulses_) impulses_->clear();
     for (int i = 0; i < setting_.substeps; ++i) {

@@ -37,6 +37,7 @@ const List<ValidationCase>& validation_cases() {
              add_capstan_cases,  add_overhang_cases,  add_arch_cases,      add_silo_cases,
              add_puck_cases,     add_rocking_cases,   add_string_cases,    add_slip_cases,
              add_drive_cases,    add_linkage_cases,   add_contact_cases,   add_field_cases,
+             add_event_cases,
          }) {
       add(all);
     }

@@ -44,13 +44,13 @@ ContactCache<Real>::ContactCache(List<Collider<Real>> colliders, const Scene& sc
 template <Scalar Real>
 void ContactCache<Real>::find(const Substep<Real>& step, StepRecord<Real>& record) {
   ContactFinder<Real>(step, *this, record).find();
-  if (step.plan.surfaces.static_friction) choose_friction(step, record.problem);
+  if (step.plan.extras.static_friction) choose_friction(step, record.problem);
 }
 
 template <Scalar Real>
 void ContactCache<Real>::move(const Substep<Real>& step, StepRecord<Real>& record) {
   ContactFinder<Real>(step, *this, record).move();
-  if (step.plan.surfaces.static_friction) choose_friction(step, record.problem);
+  if (step.plan.extras.static_friction) choose_friction(step, record.problem);
 }
 
 template <Scalar Real>
@@ -87,7 +87,7 @@ void ContactCache<Real>::start(const Substep<Real>& step, StepRecord<Real>& reco
 template <Scalar Real>
 void ContactCache<Real>::remember(const Plan& plan, const StepRecord<Real>& record) {
   const VelocityProblem<Real>& problem = record.problem;
-  if (plan.surfaces.static_friction) remember_sliding(problem);
+  if (plan.extras.static_friction) remember_sliding(problem);
   const int joints = problem.joint_blocks();
   for (int i = 0; i < problem.contacts.size(); ++i) {
     const RowBlock& block = problem.blocks[joints + i];
@@ -95,7 +95,7 @@ void ContactCache<Real>::remember(const Plan& plan, const StepRecord<Real>& reco
     const auto part = [&](int k) { return contact_part(manifold, block.count, k); };
     remember_rows(graph_[touching_[i]].impulses, block, part, problem);
     // What an impact took is no load, which would begin the next substep.
-    if (plan.surfaces.impact_sequence && strikes(problem.contacts[i]))
+    if (plan.extras.impact_sequence && strikes(problem.contacts[i]))
       graph_[touching_[i]].impulses.count = 0;
   }
 }
@@ -152,6 +152,7 @@ void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> 
                                 has_same_neighbours((*before.colliders_)[old.collider_b], (*colliders_)[b]);
   }
   graph_.begin_with(std::move(contacts), std::move(manifolds));
+  sides_.carry_over(before.sides_, numbers);
 }
 
 /// Whether two shapes that are near, so that one can move, ever touch.

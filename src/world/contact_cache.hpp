@@ -7,6 +7,7 @@
 #include <cairn/math/list.hpp>
 #include <cairn/world/collider.hpp>
 #include <cairn/world/contact_graph.hpp>
+#include <cairn/world/one_way_sides.hpp>
 #include <cairn/world/rounds.hpp>
 #include <cairn/world/step_report.hpp>
 #include <cairn/world/substep.hpp>
@@ -25,6 +26,10 @@ class ContactCache {
   /// The shapes.
   const List<Collider<Real>>& colliders() const { return *colliders_; }
 
+  /// A step begins, or is not done: who came from which side is as it was when it began.
+  void begin_step() { sides_.begin_step(); }
+  /// Likewise.
+  void leave_step() { sides_.leave_step(); }
   /// Finds what touches, and wakes what sleeps and is touched: contacts and what sensors see go into the
   /// record. @throws std::length_error for more pairs than Broadphase::max_pairs.
   void find(const Substep<Real>& step, StepRecord<Real>& record);
@@ -63,6 +68,7 @@ class ContactCache {
 
   std::shared_ptr<const List<Collider<Real>>> colliders_;
   ContactGraph<Real> graph_;
+  OneWaySides sides_;     // empty where nothing is one-way
   List<int> candidates_;  // contacts with a manifold that moves with its bodies
   List<int> touching_;    // contacts of the contacts of the record
 

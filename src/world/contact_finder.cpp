@@ -85,6 +85,7 @@ void ContactFinder<Real>::meet_all(int since) {
                      static_cast<Real>(*step_.plan.settings.speculative_margin) / 2, cache_.outlook_, since);
   cache_.graph_.update(cache_.boxes_.boxes(),
                        [this](int i, int j) { return cache_.may_meet(step_.scene, i, j); });
+  if (step_.plan.extras.one_way && since < 0) find_sides();
   for (NearPair& near : cache_.graph_.order()) {
     Deadline::go_on();
     const BodyId a = (*cache_.colliders_)[near.shapes.first].body;
@@ -266,7 +267,8 @@ template <Scalar Real>
 void ContactFinder<Real>::meet(NearPair& near) {
   const auto [shape_a, shape_b] = near.shapes;
   if (step_.sleep && !cache_.movable_[shape_a] && !cache_.movable_[shape_b]) return;  // as they fell asleep
-  if (!cache_.boxes_.meet(shape_a, shape_b)) return cache_.graph_.remove_contact(near);
+  if (!cache_.boxes_.meet(shape_a, shape_b) || (step_.plan.extras.one_way && pass(shape_a, shape_b)))
+    return cache_.graph_.remove_contact(near);
   if (near.contact == NearPair::none)
     cache_.graph_.add_contact(near, cache_.make_contact(step_, shape_a, shape_b));
   const CachedContact<Real>& cached = cache_.graph_[near.contact];

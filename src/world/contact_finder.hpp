@@ -31,6 +31,10 @@ class ContactFinder {
   void find_manifolds();
   void put_manifolds();
   void meet_all(int since);
+  bool is_one_way(int shape, int other) const;
+  bool pass(int a, int b) const;
+  void find_sides();
+  void see_side(int one_way, int other);
   bool looks_again(BodyId a, BodyId b, int number, int since) const;
   void choose_candidates();
   template <typename Find>

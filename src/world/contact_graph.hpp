@@ -19,7 +19,7 @@ struct CachedContact {
   BodyId a = {};         // whose shape collider_a is
   BodyId b = {};         // whose shape collider_b is
   bool sensed = false;   // one is a sensor: they are seen to touch, and no more
-  bool slides = false;   // or sticks: for SurfacePlan::static_friction
+  bool slides = false;   // or sticks: for PlanExtras::static_friction
   Real friction = 0;     // mu
   Real restitution = 0;  // e
   Real slop_limit = 0;   // [m]

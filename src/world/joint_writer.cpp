@@ -57,7 +57,7 @@ int JointWriter<Real>::write(const Substep<Real>& step, StabilizationPass pass,
     const int first = next;
     if (!step.asleep(i)) {
       if (!step.is_hand(i)) {  // the hand has one of its own
-        const SwingSoftness spring = step.scene.joints().soft(i).value_or(usual);
+        const SwingSoftness spring = step.scene.joints().hold(i).soft.value_or(usual);
         if (!(stabilization.joint_soft == spring)) use_spring(spring);
       }
       const auto& before = impulses_[i];

@@ -54,7 +54,7 @@ void add_pairs(const Mixing& mixing, int rubbing_bodies, Plan& plan) {
   plan.friction = rubbing_bodies > (is_one_enough ? 0 : 1);
   for (const PairMaterial& pair : mixing.pairs) {
     plan.friction |= pair.friction.value_or(0) > 0 || pair.static_friction.value_or(0) > 0;
-    plan.surfaces.static_friction |= pair.static_friction.value_or(0) > pair.friction.value_or(0);
+    plan.extras.static_friction |= pair.static_friction.value_or(0) > pair.friction.value_or(0);
     plan.restitution |= pair.restitution.value_or(0) > 0;
   }
   plan.friction &= plan.collision;
@@ -154,10 +154,12 @@ Plan make_plan(const Scene& scene) {
     const bool rubs = spec.material.holding_friction() > 0 && !spec.shapes.empty();
     rubbing_bodies += rubs;
     plan.restitution |= spec.material.restitution > 0 && !spec.shapes.empty();
-    plan.surfaces.speed |= spec.material.surface_speed != 0 && (rubs || !scene.settings().mixing.is_usual());
-    plan.surfaces.static_friction |=
+    plan.extras.surface_speed |=
+        spec.material.surface_speed != 0 && (rubs || !scene.settings().mixing.is_usual());
+    plan.extras.static_friction |=
         spec.material.holding_friction() > spec.material.friction && !spec.shapes.empty();
-    plan.surfaces.rolling_resistance |= spec.material.rolling_resistance > 0 && !spec.shapes.empty();
+    plan.extras.rolling_resistance |= spec.material.rolling_resistance > 0 && !spec.shapes.empty();
+    plan.extras.one_way |= !spec.filter.one_way.isZero(0) && !spec.shapes.empty();
     for (const Shape<double>& shape : spec.shapes) {
       plan.size.colliders += piece_count(shape);
       plan.size.pieces += is_piece(shape);
@@ -168,10 +170,11 @@ Plan make_plan(const Scene& scene) {
   plan.collision = plan.collision && plan.size.colliders > 1 && any_may_meet(scene);
   add_pairs(scene.settings().mixing, rubbing_bodies, plan);
   plan.restitution &= plan.collision;
-  plan.surfaces.impact_sequence = plan.restitution && scene.settings().impacts == Impacts::sequence;
-  plan.surfaces.speed &= plan.friction;
-  plan.surfaces.static_friction &= plan.collision;
-  plan.surfaces.rolling_resistance &= plan.friction;
+  plan.extras.impact_sequence = plan.restitution && scene.settings().impacts == Impacts::sequence;
+  plan.extras.surface_speed &= plan.friction;
+  plan.extras.static_friction &= plan.collision;
+  plan.extras.rolling_resistance &= plan.friction;
+  plan.extras.one_way &= plan.collision;
   plan.size.joints = scene.joints().size();
   for (const std::shared_ptr<const Constraint>& joint : scene.joints()) {
     const JointTraits traits = joint->traits();
@@ -179,6 +182,9 @@ Plan make_plan(const Scene& scene) {
     plan.size.joint_springs += traits.has_spring;
     plan.size.ratchets += traits.has_ratchet;
   }
+  for (int i = 0; i < plan.size.joints; ++i)
+    plan.extras.breaks |= scene.joints().hold(i).strength.is_finite();
+  for (const SceneEvent& event : scene.events()) plan.extras.touches |= event.touch.has_value();
   plan.broadphase = plan.size.colliders > all_pairs_limit ? BroadphaseKind::grid : BroadphaseKind::all_pairs;
   const SceneSettings& settings = scene.settings();
   const ContactSearch search = settings.contact_search;
@@ -214,13 +220,18 @@ std::string explain(const Plan& plan) {
                                             : "one row a manifold, where mu > 0",
                                   "left out: no two bodies with mu > 0, no friction rows"));
   text += line("restitution", restitution_text(plan));
-  if (plan.surfaces.static_friction)
+  if (plan.extras.static_friction)
     text += line("static", "what sticks holds more than mu: each contact sticks or slides");
-  if (plan.surfaces.rolling_resistance)
+  if (plan.extras.rolling_resistance)
     text += line("rolling", "one row more where a body stands on one point: a moment resists");
   if (!plan.settings.mixing.is_usual()) text += line("mixing", mixing_text(plan.settings.mixing));
-  if (plan.surfaces.impact_sequence) text += line("impacts", "one after the other, as bodies pass them on");
-  if (plan.surfaces.speed) text += line("surfaces", "some run like belts: friction asks for their speed");
+  if (plan.extras.impact_sequence) text += line("impacts", "one after the other, as bodies pass them on");
+  if (plan.extras.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
+  if (plan.extras.one_way)
+    text += line("one-way", "some bodies hold off only what comes from their outer side");
+  if (plan.extras.touches)
+    text += line("touches", "events wait for them: after each step it is seen who touches");
+  if (plan.extras.breaks) text += line("breaking", "what some joints hold is added up in each step");
   text += line("gravity", either(plan.gravity, "on", "left out: nothing feels it"));
   if (!plan.size.acting.empty()) text += line("also", fmt::format("{}", fmt::join(plan.size.acting, ", ")));
   text += line("damping", either(plan.damping, "on", "left out: no body is damped"));

@@ -32,12 +32,15 @@ enum class SecondSolve {
   positions,    // velocities that move errors back and are forgotten
 };
 
-/// What surfaces have beside a coefficient of friction and one of restitution.
-struct SurfacePlan {
-  bool speed = false;               // some run, and rub on others
-  bool static_friction = false;     // some that stick hold more than mu
+/// What few scenes require.
+struct PlanExtras {
+  bool surface_speed = false;       // some surface runs, and rubs on others
+  bool static_friction = false;     // some surfaces that stick hold more than mu
   bool rolling_resistance = false;  // some resist rolling
   bool impact_sequence = false;     // rebounds may be passed on from body to body
+  bool one_way = false;             // some body lets pass what comes from elsewhere than its outer side
+  bool touches = false;             // some event waits for a touch
+  bool breaks = false;              // some joint may break
 };
 
 /// Decided from the scene alone, before the first step.
@@ -52,7 +55,7 @@ struct Plan {
   bool damping = false;                                   // some body has it
   bool friction = false;                                  // some pair of bodies with mu > 0
   bool restitution = false;                               // some body with e > 0
-  SurfacePlan surfaces = {};                              // and what else they have
+  PlanExtras extras = {};                                 // what few scenes have
   bool moves_manifolds = false;                           // manifolds last longer than a substep
   bool keeps_manifolds = false;                           // and longer than a step
   bool follows_arcs = false;                              // joints are asked to hold where a substep ends
@@ -60,10 +63,12 @@ struct Plan {
 
   /// Whether solvers that take contacts are given them without rows.
   bool contacts_without_rows() const {
-    const bool is_plain = !surfaces.speed && !surfaces.rolling_resistance && !surfaces.impact_sequence &&
+    const bool is_plain = !extras.surface_speed && !extras.rolling_resistance && !extras.impact_sequence &&
                           (settings.friction_rows == FrictionRows::per_point || !friction);
     return collision && second_solve != SecondSolve::positions && is_plain;
   }
+  /// Whether steps are looked at for what comes about in them.
+  bool watches() const { return extras.touches || extras.breaks; }
   /// Whether the second solve is one of velocities.
   bool solves_again() const {
     return second_solve == SecondSolve::from_start || second_solve == SecondSolve::from_answer;

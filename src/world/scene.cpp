@@ -33,6 +33,9 @@ void check_motion(const BodySpec& spec, const char* place) {
   require_finite(spec.velocity, place, "velocity", "m/s");
   require_finite(spec.angular_velocity, place, "angular_velocity", "rad/s");
   require_finite(spec.gravity_scale, place, "gravity_scale", "");
+  require_finite(spec.filter.one_way, place, "one_way", "");
+  require(spec.filter.one_way.isZero(0) || spec.type != BodyType::dynamic, place, "one_way",
+          "left out of a dynamic body: it would pass what it lies on", "a direction");
   if (spec.type != BodyType::static_body) return;
   require(spec.velocity.isZero(0) && spec.angular_velocity == 0, place, "velocity", "0 for a static body",
           spec.velocity.norm());

@@ -157,10 +157,11 @@ class Scene {
   /// Any constraint, one of your own too.
   JointId join(std::shared_ptr<const Constraint> joint, JointCollision collision = JointCollision::as_usual);
   /// Something that is to happen while the scene runs: a world does it in its steps. It is forgotten where
-  /// its body or joint is removed before.
+  /// its body or joint is removed before, or all bodies whose touch it waits for; a count stays.
   /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
   /// for impulses and forces on the ground and on what cannot move, for a path of a body that is not kinematic
-  /// or leads nowhere, and for a motor that change() refuses.
+  /// or leads nowhere, for a motor or a body that change() refuses, for velocities of what is static, for a
+  /// touch of bodies of which none is dynamic, and for a count that waits for none.
   void add(const SceneEvent& event);
   /// The same bodies and joints under other rules. @throws std::invalid_argument, and then changes nothing.
   void set_settings(const SceneSettings& settings);
@@ -185,6 +186,10 @@ class Scene {
   /// the rows that hold positions; under other policies it does nothing.
   /// @throws std::invalid_argument for a joint that is not in the scene and for a spring out of range.
   void change(JointId joint, const SwingSoftness& spring);
+  /// Lets a joint break above a force or a torque.
+  /// @throws std::invalid_argument for a joint that is not in the scene, unless both are > 0, and for a
+  /// finite torque of a joint of more than two bodies.
+  void change(JointId joint, const JointStrength& strength);
   /// Takes a body out, with every joint that holds it. Other bodies keep their ids, and its own is not used
   /// again: its place stays, static, without shapes and marked as removed.
   /// @throws std::invalid_argument for the ground, unknown and removed bodies.
@@ -193,8 +198,11 @@ class Scene {
   /// @throws std::invalid_argument for a joint that is not in the scene.
   void remove(JointId joint);
   /// Does all events whose time has come by `until` [s], in their order. Whether there were any. What lasts
-  /// (lasting_action.hpp) stays among them.
+  /// (lasting_action.hpp) stays among them, and so do events that wait for a touch.
   bool do_events(double until);
+  /// What waits for a touch has come about at `time` [s]: those of these numbers in events(), which ascend
+  /// and may come more than once. Each is counted, or becomes an event of its time.
+  void do_events(const List<int>& met, double time);
 
   /// What holds for the whole scene.
   const SceneSettings& settings() const { return settings_; }
@@ -203,6 +211,7 @@ class Scene {
   /// In the order in which they were added, with their ids, and who is kept apart by them.
   const SceneJoints& joints() const { return joints_; }
   /// What is still to happen, or lasts, by time; those of one time in the order in which they were added.
+  /// Behind them, in the order in which they were added, those that wait for a touch.
   const List<SceneEvent>& events() const { return events_; }
 
  private:
@@ -214,18 +223,22 @@ class Scene {
   std::shared_ptr<const Constraint> with_motor(JointId joint, const std::optional<JointMotor>& motor,
                                                const char* who) const;
   void forget_events();
+  void schedule(const SceneEvent& event);
   void require_body(BodyId id, const char* field) const;
   void require_other_movers(BodyId body, BodyType type) const;
 
   SceneSettings settings_;
   std::shared_ptr<PerBody<SceneBody>> bodies_;  // copies of the scene have the same until one is changed
   SceneJoints joints_;
-  List<SceneEvent> events_;  // by time
+  List<SceneEvent> events_;  // as events()
 };
 
 /// Moves a body by `offset` [m] and turns it about its centre of mass by `angle` [rad], as Scene::place does.
 /// @throws std::invalid_argument for the ground, unknown and removed bodies and numbers that are not finite.
 void displace(Scene& scene, BodyId body, const Vec2<double>& offset, double angle = 0);
+
+/// A body as an event leaves it.
+BodySpec changed(BodySpec spec, const ChangeBody& change);
 
 /// What may be placed, changed and removed. @throws std::invalid_argument unless it is a body of the scene
 /// other than the ground, and was not removed.

@@ -66,6 +66,16 @@ void Scene::change(JointId joint, const SwingSoftness& spring) {
   joints_.change(number, spring);
 }
 
+void Scene::change(JointId joint, const JointStrength& strength) {
+  const char* const who = "Scene::change";
+  const int number = number_of(joint, who);
+  require(strength.force > 0, who, "break_force", "> 0 N", strength.force);
+  require(strength.torque > 0, who, "break_torque", "> 0 N m", strength.torque);
+  require(std::isinf(strength.torque) || joints_[number]->attachments().size() <= 2, who, "break_torque",
+          "left out of a joint of more than two bodies", strength.torque);
+  joints_.change(number, strength);
+}
+
 void Scene::remove(JointId joint) {
   joints_.remove({number_of(joint, "Scene::remove")});
   forget_events();
@@ -75,7 +85,7 @@ void Scene::remove(BodyId body) {
   require_changeable(*this, body, "Scene::remove");
   const PerBody<Pose<double>> start = poses();
   List<int> held;
-  for (const int i : joints_.indices()) {
+  for (int i = 0; i < joints_.size(); ++i) {
     if (holds(i, body, start)) held.push_back(i);
   }
   joints_.remove(held);
@@ -117,7 +127,7 @@ bool Scene::holds(int joint, BodyId body, const PerBody<Pose<double>>& start) co
 bool Scene::has_joints(BodyId body) const {
   const PerBody<Pose<double>> start = poses();
   bool found = false;
-  for (const int i : joints_.indices()) found |= holds(i, body, start);
+  for (int i = 0; i < joints_.size(); ++i) found |= holds(i, body, start);
   return found;
 }
 
@@ -129,7 +139,7 @@ void Scene::require_body(BodyId id, const char* field) const {
 
 /// A joint needs a body that can move besides this one.
 void Scene::require_other_movers(BodyId body, BodyType type) const {
-  for (const int i : joints_.indices()) {
+  for (int i = 0; i < joints_.size(); ++i) {
     bool is_fastened = false, others_move = false;
     for (const Attachment& place : joints_[i]->attachments()) {
       is_fastened |= place.body == body;

@@ -31,6 +31,16 @@ struct SceneActor {
     const SceneBody& body = scene.bodies()[action.body];
     scene.place(action.body, body.pose, pushed(body, action));
   }
+  void operator()(const ChangeBody& action) const {
+    scene.change(action.body, changed(scene.bodies()[action.body].spec, action));
+  }
+  void operator()(const SetGravity& action) const {
+    SceneSettings settings = scene.settings();
+    settings.gravity = action.gravity;
+    scene.set_settings(settings);
+  }
+  void operator()(const BreakJoint&) const {}    // Scene::do_events, which knows when
+  void operator()(const CountTouches&) const {}  // Scene::do_events, where it comes about
 };
 
 void require_pushable(const Scene& scene, const PushBody& push) {
@@ -64,14 +74,43 @@ void require_path(const Scene& scene, const FollowPath& path) {
   require(path.length() > 0 && std::isfinite(path.length()), who, "points", "some way apart", path.length());
 }
 
+void require_touch(const Scene& scene, const TouchCondition& touch) {
+  const char* const who = "Scene::add";
+  require(!touch.a.empty(), who, "touch", "of at least one body", "none");
+  bool is_dynamic = touch.b.empty();
+  for (const List<BodyId>* bodies : {&touch.a, &touch.b}) {
+    for (const BodyId body : *bodies) {
+      require(body.index >= 0 && body.index < scene.bodies().size() && !scene.bodies()[body].removed, who,
+              "touch", "of bodies of the scene", body.index);
+      is_dynamic |= scene.bodies()[body].spec.type == BodyType::dynamic;
+    }
+  }
+  require(is_dynamic, who, "touch", "of bodies of which one is dynamic", "none");
+}
+
 }  // namespace
+
+BodySpec changed(BodySpec spec, const ChangeBody& change) {
+  spec.velocity = change.velocity.value_or(spec.velocity);
+  spec.angular_velocity = change.angular_velocity.value_or(spec.angular_velocity);
+  spec.material.friction = change.friction.value_or(spec.material.friction);
+  spec.material.restitution = change.restitution.value_or(spec.material.restitution);
+  spec.material.surface_speed = change.surface_speed.value_or(spec.material.surface_speed);
+  spec.sensor = change.sensor.value_or(spec.sensor);
+  return spec;
+}
 
 void Scene::add(const SceneEvent& event) {
   const char* const who = "Scene::add";
   require(event.time >= 0 && std::isfinite(event.time), who, "time", "finite and >= 0 s", event.time);
+  require(event.times.value_or(1) > 0, who, "times", "> 0", event.times.value_or(1));
+  if (event.touch) require_touch(*this, *event.touch);
+  require(event.touch || !std::holds_alternative<CountTouches>(event.action), who, "count",
+          "beside a touch that is waited for", "none");
   if (const auto* removal = std::get_if<RemoveBody>(&event.action))
     require_changeable(*this, removal->body, who);
   if (const auto* removal = std::get_if<RemoveJoint>(&event.action)) number_of(removal->joint, who);
+  if (const auto* broken = std::get_if<BreakJoint>(&event.action)) number_of(broken->joint, who);
   if (const auto* push = std::get_if<PushBody>(&event.action)) {
     require_changeable(*this, push->body, who);
     require_pushable(*this, *push);
@@ -87,34 +126,76 @@ void Scene::add(const SceneEvent& event) {
   // Refused now, and not when it is to be done:
   if (const auto* other = std::get_if<SwitchMotor>(&event.action))
     (void)with_motor(other->joint, other->motor, who);
-  const auto later = [](double time, const SceneEvent& other) { return time < other.time; };
-  events_.insert(std::upper_bound(events_.begin(), events_.end(), event.time, later), event);
+  Scene then = *this;
+  if (const auto* change = std::get_if<ChangeBody>(&event.action)) SceneActor{then}(*change);
+  if (const auto* other = std::get_if<SetGravity>(&event.action)) SceneActor{then}(*other);
+  schedule(event);
+}
+
+/// Puts it where it belongs in events().
+void Scene::schedule(const SceneEvent& event) {
+  const auto later = [](const SceneEvent& one, const SceneEvent& other) {
+    if (one.touch || other.touch) return !one.touch && other.touch;
+    return one.time < other.time;
+  };
+  events_.insert(std::upper_bound(events_.begin(), events_.end(), event, later), event);
 }
 
 bool Scene::do_events(double until) {
   bool any = false;
   const auto due = [until](const SceneEvent& event) {
-    return event.time <= until && !is_lasting(event.action);
+    return !event.touch && event.time <= until && !is_lasting(event.action);
   };
   while (true) {
     const auto next = std::find_if(events_.begin(), events_.end(), due);
     if (next == events_.end()) return any;
     const SceneEvent event = *next;
     events_.erase(next);
-    std::visit(SceneActor{*this}, event.action);
+    if (const auto* how = std::get_if<BreakJoint>(&event.action)) {
+      joints_.remove(number_of(how->joint, "Scene::do_events"),
+                     {.time = event.time, .force = how->force, .torque = how->torque});
+      forget_events();
+    } else {
+      std::visit(SceneActor{*this}, event.action);
+    }
     any = true;
   }
 }
 
+void Scene::do_events(const List<int>& met, double time) {
+  List<SceneEvent> due;
+  for (const int number : met) {
+    SceneEvent& event = events_[number];
+    if (event.times == 0) continue;
+    if (event.times) event.times = *event.times - 1;
+    if (auto* count = std::get_if<CountTouches>(&event.action)) {
+      count->count += 1;
+    } else {
+      due.push_back({.time = time + event.time, .action = event.action});
+    }
+  }
+  erase_if(events_, [](const SceneEvent& event) {
+    return event.times == 0 && !std::holds_alternative<CountTouches>(event.action);
+  });
+  for (const SceneEvent& event : due) schedule(event);
+}
+
 /// Those of bodies and joints that are no longer there.
 void Scene::forget_events() {
-  const auto is_there = [&]<typename Action>(const Action& action) {
-    if constexpr (requires { action.body; })
-      return !bodies()[action.body].removed;
-    else
-      return joints_.number_of(action.joint).has_value();
+  const auto are_gone = [&](const List<BodyId>& some) {
+    return std::all_of(some.begin(), some.end(), [&](BodyId body) { return bodies()[body].removed; });
   };
-  erase_if(events_, [&](const SceneEvent& event) { return !std::visit(is_there, event.action); });
+  const auto is_there = [&]<typename Action>(const Action& action) {
+    if constexpr (requires { action.body; }) return !bodies()[action.body].removed;
+    if constexpr (requires { action.joint; }) return joints_.number_of(action.joint).has_value();
+    return true;
+  };
+  erase_if(events_, [&](const SceneEvent& event) {
+    if (std::holds_alternative<CountTouches>(event.action)) return false;
+    const bool can_touch =
+        !event.touch || !(are_gone(event.touch->a) || (!event.touch->b.empty() && are_gone(event.touch->b)));
+    return !can_touch || !std::visit(is_there, event.action);
+  });
 }
 
 }  // namespace cairn

@@ -35,9 +35,16 @@ void SceneJoints::remove(const List<int>& numbers) {
     fastenings_.erase(fastenings_.begin() + numbers[k]);
   }
   apart_.clear();
-  for (const int i : joints_.indices()) {
+  for (int i = 0; i < joints_.size(); ++i) {
     if (!fastenings_[i].collide) keep_apart(*joints_[i]);
   }
+}
+
+void SceneJoints::remove(int number, BrokenJoint how) {
+  how.id = fastenings_[number].id;
+  how.joint = joints_[number];
+  broken_.push_back(std::move(how));
+  remove({number});
 }
 
 void SceneJoints::keep_apart(const Constraint& joint) {

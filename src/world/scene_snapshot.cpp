@@ -2,6 +2,7 @@
 #include <cairn/world/scene_snapshot.hpp>
 
 #include <cmath>
+#include <map>
 
 #include <cairn/constraints/springs.hpp>
 #include <cairn/math/list.hpp>
@@ -80,6 +81,23 @@ SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& sta
   return result;
 }
 
+template <Scalar Real>
+void add_occurrences(const Scene& scene, const BodyState<Real>& state, Snapshot& snapshot) {
+  for (const BrokenJoint& broken : scene.joints().broken()) {
+    snapshot.broken.push_back({.joint = snapshot_joint(*broken.joint, state),
+                               .time = broken.time,
+                               .force = broken.force,
+                               .torque = broken.torque});
+    snapshot.broken.back().joint.id = broken.id;
+  }
+  std::map<std::string, int> counts;
+  for (const SceneEvent& event : scene.events()) {
+    if (const auto* counted = std::get_if<CountTouches>(&event.action))
+      counts[counted->counter] += counted->count;
+  }
+  for (const auto& [name, count] : counts) snapshot.counters.push_back({name, count});
+}
+
 Snapshot snapshot(const Scene& scene) {
   const SceneSettings& settings = scene.settings();
   Snapshot result{.dt = settings.dt / settings.substeps, .gravity = settings.gravity, .fields = settings.fields};
@@ -92,11 +110,14 @@ Snapshot snapshot(const Scene& scene) {
     result.joints.push_back(snapshot_joint(*scene.joints()[i], state));
     result.joints.back().id = scene.joints().id(i);
   }
+  add_occurrences(scene, state, result);
   return result;
 }
 
 template BodyState<float> state_of(const Scene&);
 template BodyState<double> state_of(const Scene&);
+template void add_occurrences(const Scene&, const BodyState<float>&, Snapshot&);
+template void add_occurrences(const Scene&, const BodyState<double>&, Snapshot&);
 template SnapshotJoint snapshot_joint(const Constraint&, const BodyState<float>&);
 template SnapshotJoint snapshot_joint(const Constraint&, const BodyState<double>&);
 

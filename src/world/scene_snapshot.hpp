@@ -24,4 +24,8 @@ List<SnapshotForce> forces_at(const Scene& scene, const PerBody<SnapshotBody>& b
 template <Scalar Real>
 SnapshotJoint snapshot_joint(const Constraint& joint, const BodyState<Real>& state);
 
+/// Adds what has broken and what was counted of a scene whose bodies are so.
+template <Scalar Real>
+void add_occurrences(const Scene& scene, const BodyState<Real>& state, Snapshot& snapshot);
+
 }  // namespace cairn

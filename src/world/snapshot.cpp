@@ -1,6 +1,8 @@
 // Floor 5. From a world to plain values.
 #include <cairn/world/snapshot.hpp>
 
+#include <algorithm>
+
 #include <cairn/math/list.hpp>
 #include <cairn/world/scene_snapshot.hpp>
 #include <cairn/world/world.hpp>
@@ -93,6 +95,12 @@ Snapshot snapshot(const World<Real>& world) {
     result.joints.push_back(joint);
   }
   result.contacts = contacts_of(record);
+  for (const std::pair<BodyId, BodyId>& pair : record.passing) {
+    const auto where = std::lower_bound(result.apart.begin(), result.apart.end(), pair);
+    if (where == result.apart.end() || *where != pair) result.apart.insert(where, pair);
+  }
+  result.sensed = record.sensed;
+  add_occurrences(scene, world.bodies(), result);
   return result;
 }
 

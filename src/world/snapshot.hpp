@@ -70,18 +70,36 @@ struct SnapshotForce {
   double torque = 0;            // [N m]
 };
 
+/// A joint that has broken: its ends are where they are now.
+struct SnapshotBreak {
+  SnapshotJoint joint = {};  // without impulse
+  double time = 0;           // [s] when it broke
+  double force = 0;          // [N] that it held then; 0 where an event broke it
+  double torque = 0;         // [N m] likewise
+};
+
+/// What events have counted.
+struct SnapshotCounter {
+  std::string name = {};  // CountTouches::counter
+  int count = 0;          // of all events that count for it
+};
+
 /// A world at one instant.
 struct Snapshot {
-  double time = 0;                             // [s]
-  int step = 0;                                // how many were taken before
-  double dt = 0;                               // [s] of the last substep: impulse / dt is the paper's lambda
-  Vec2<double> gravity = {0, 0};               // [m/s^2]
-  Fields fields = {};                          // of the scene
-  List<SnapshotForce> forces = {};             // that act now, by their beginnings
-  PerBody<SnapshotBody> bodies = {};           // index 0 is the ground
-  List<SnapshotContact> contacts = {};         // ordered by the shapes that touch
-  List<SnapshotJoint> joints = {};             // in the order of the scene
-  List<std::pair<BodyId, BodyId>> apart = {};  // bodies that a joint keeps from colliding, sorted
+  double time = 0;                      // [s]
+  int step = 0;                         // how many were taken before
+  double dt = 0;                        // [s] of the last substep: impulse / dt is the paper's lambda
+  Vec2<double> gravity = {0, 0};        // [m/s^2]
+  Fields fields = {};                   // of the scene
+  List<SnapshotForce> forces = {};      // that act now, by their beginnings
+  PerBody<SnapshotBody> bodies = {};    // index 0 is the ground
+  List<SnapshotContact> contacts = {};  // ordered by the shapes that touch
+  List<SnapshotJoint> joints = {};      // in the order of the scene
+  /// Bodies that a joint keeps from colliding, or of which one passes the other, which is one-way; sorted.
+  List<std::pair<BodyId, BodyId>> apart = {};
+  List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor: as StepRecord::sensed
+  List<SnapshotBreak> broken = {};              // in the order in which they broke
+  List<SnapshotCounter> counters = {};          // by their names
 };
 
 }  // namespace cairn

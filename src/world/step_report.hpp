@@ -55,8 +55,9 @@ template <Scalar Real>
 struct StepRecord {
   /// After the solve. Its contacts are those of where the step began; they may be without rows (with_rows()).
   VelocityProblem<Real> problem = {};
-  PerRow<char> is_new = {};                     // it had no impulse to start from
-  List<std::pair<BodyId, BodyId>> sensed = {};  // what touches a sensor, the lower id first, sorted
+  PerRow<char> is_new = {};                      // it had no impulse to start from
+  List<std::pair<BodyId, BodyId>> sensed = {};   // what touches a sensor, the lower id first, sorted
+  List<std::pair<BodyId, BodyId>> passing = {};  // of which one passes the other, which is one-way: likewise
 };
 
 }  // namespace cairn

@@ -81,7 +81,7 @@ int TwoSolves<Real>::write(const Parts& parts, ForcesOf when, bool with_rows) {
   record.is_new.resize(rows);
   parts.joints.start(parts.step, problem, record.is_new);
   parts.contacts.start(parts.step, record);
-  if (parts.step.plan.surfaces.impact_sequence)
+  if (parts.step.plan.extras.impact_sequence)
     impacts_.begin(parts.step.state.velocity,
                    static_cast<Real>(*parts.step.plan.settings.restitution_threshold), problem, second_rows_);
   if (parts.step.plan.solves_again()) {
@@ -105,8 +105,8 @@ int TwoSolves<Real>::write_rows(const Parts& parts, StabilizationPass pass, bool
   problem.rule = contact_rule(settings.stabilization, pass, step.dt, settings.gravity.norm());
   problem.friction_rows = settings.friction_rows;
   problem.is_second = false;
-  if (step.plan.surfaces.speed) step.kinds.copy_surface_speeds(problem.surface_speed);
-  if (step.plan.surfaces.rolling_resistance) step.kinds.copy_rolling_resistances(problem.rolling_resistance);
+  if (step.plan.extras.surface_speed) step.kinds.copy_surface_speeds(problem.surface_speed);
+  if (step.plan.extras.rolling_resistance) step.kinds.copy_rolling_resistances(problem.rolling_resistance);
   int next = 0;
   const int apart = parts.joints.write(step, pass, problem, next, second_rows);
   problem.rows.resize(next);

@@ -60,8 +60,7 @@ template <Scalar Real>
 StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& watch) {
   const Occupation::Scope scope(occupation_, "World::step");
   StepReport report;
-  if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
-  if (may_leave_midway()) first_pose_ = state_.pose, first_velocity_ = state_.velocity;
+  begin_step();
   try {
     for (int i = 0; i < plan_->settings.substeps && !report.not_finite; ++i)
       substep(i, solver, watch, report);
@@ -76,19 +75,13 @@ StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& w
   }
   clock_.time += clock_.dt;
   clock_.steps += 1;
+  end_step();
   report.rows = record_.is_new.size();
   for (const Contact<Real>& contact : record_.problem.contacts) {
     report.contacts += contact.manifold.count;
     report.too_deep += is_too_deep(contact, *kinds_);
   }
   return report;
-}
-
-/// Of a step that is not done: bodies are where it began. What was found on the way is found again.
-template <Scalar Real>
-void World<Real>::leave_step() {
-  if (may_leave_midway()) state_.pose = first_pose_, state_.velocity = first_velocity_;
-  record_ = {};
 }
 
 template <Scalar Real>
@@ -109,25 +102,13 @@ void World<Real>::substep(int number, Solver<Real>& solver, const StepWatch<Real
   const PerBody<Vec3<Real>>& staying = record_.problem.velocity;
   report.not_finite = first_not_finite(state_, going, staying, step.dt);
   if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
+  if (plan_->watches()) watch_.see(step, record_);
   state_.velocity = going;
   integrate_positions(state_, step.dt);  // 6  with the new velocities: semi-implicit Euler
   state_.velocity = staying;
   joints_.remember(step, record_.problem);  // 7
   contacts_.remember(*plan_, record_);
   if (watch.impulses) watch.impulses->add(record_);
-}
-
-/// Whether an exception may find bodies that are no longer as they were when the step began.
-template <Scalar Real>
-bool World<Real>::may_leave_midway() const {
-  return plan_->settings.substeps > 1 || acting_ != nullptr;
-}
-
-/// Bodies on paths go where these lead, and what forces begin to act on wakes.
-template <Scalar Real>
-void World<Real>::follow(SubstepTime time) {
-  acting_->lead(time, state_);
-  if (sleep_) acting_->find_changes(time, [this](BodyId body) { sleep_->wake(body); });
 }
 
 template class World<float>;

@@ -10,6 +10,7 @@
 #include <cairn/world/body_kinds.hpp>
 #include <cairn/world/clock.hpp>
 #include <cairn/world/contact_cache.hpp>
+#include <cairn/world/event_watch.hpp>
 #include <cairn/world/hand.hpp>
 #include <cairn/world/joint_writer.hpp>
 #include <cairn/world/occupation.hpp>
@@ -30,6 +31,13 @@ template <Scalar Real>
 struct StepWatch {
   SolveObserver<Real>* solves = nullptr;  // at each sweep
   StepImpulses* impulses = nullptr;       // at what substeps gave
+};
+
+/// How bodies were when a step began, for one that is not done.
+template <Scalar Real>
+struct StepStart {
+  PerBody<Pose<Real>> pose;      // [m, rad]
+  PerBody<Vec3<Real>> velocity;  // [m/s, m/s, rad/s]
 };
 
 /// A copyable value: `World twin = world;`. The scene is shared and never changes. Owns no solver.
@@ -108,9 +116,11 @@ class World {
   std::optional<World> after_events();
   StepReport step(Solver<Real>& solver, const StepWatch<Real>& watch);
   StepReport take_step(Solver<Real>& solver, const StepWatch<Real>& watch);
+  void begin_step();
   void leave_step();
   bool may_leave_midway() const;
   void follow(SubstepTime time);
+  void end_step();
   void substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch, StepReport& report);
   Substep<Real> now(int number = 0) const;
   Substep<Real> now_asleep(int number = 0);
@@ -128,12 +138,12 @@ class World {
   Hand hand_;
   std::optional<SleepState<Real>> sleep_;  // where the scene lets bodies sleep
   Clock clock_;
+  EventWatch<Real> watch_;
   StepRecord<Real> record_;
 
   // Scratch memory, kept so that a steady step allocates nothing.
   TwoSolves<Real> solves_;
-  PerBody<Pose<Real>> first_pose_;      // where a step of several substeps began, and
-  PerBody<Vec3<Real>> first_velocity_;  // how
+  StepStart<Real> start_;  // where it may be needed
 };
 
 /// `World world(scene);` is one in double.

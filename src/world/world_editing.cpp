@@ -39,7 +39,7 @@ std::optional<double> due_time(const Scene& scene, const Clock& clock) {
   // A sum of n steps is off by fewer than n roundings of itself.
   const double until = clock.time * (1 + clock.steps * std::numeric_limits<double>::epsilon());
   for (const SceneEvent& event : scene.events()) {
-    if (event.time > until) break;
+    if (event.touch || event.time > until) break;
     if (!is_lasting(event.action)) return until;
   }
   return {};
@@ -102,6 +102,7 @@ void World<Real>::carry_over(const World& before, const Scene& then) {
     if (same_motion(was, is)) state_.velocity[body] = before.state_.velocity[body];
   }
   hand_ = before.hand_.in(*scene_);
+  watch_ = before.watch_.in(*scene_);
   joints_.carry_over(before.joints_, then, now());
   contacts_.carry_over(before.contacts_, numbers_now(*before.scene_, *scene_), now());
   if (sleep_ && before.sleep_) carry_sleep(before, then);
@@ -129,7 +130,7 @@ void World<Real>::carry_sleep(const World& before, const Scene& then) {
   const auto wake_ends = [&](const SceneJoints& joints, const SceneJoints& others) {
     for (int i = 0; i < joints.size(); ++i) {
       const std::optional<int> k = others.number_of(joints.id(i));
-      if (k && others[*k] == joints[i] && others.soft(*k) == joints.soft(i)) continue;
+      if (k && others[*k] == joints[i] && others.hold(*k) == joints.hold(i)) continue;
       for (const Attachment& end : joints[i]->attachments()) sleep_->wake(end.body);
     }
   };

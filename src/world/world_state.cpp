@@ -1,4 +1,4 @@
-// Floor 5. Making a world from its scene, and changing what a user may change.
+// Floor 5. Making a world from its scene, changing what a user may change, and the ends of a step.
 #include <algorithm>
 
 #include <cairn/geometry/aabb.hpp>
@@ -177,6 +177,46 @@ Substep<Real> World<Real>::now_asleep(int number) {
   Substep<Real> step = now(number);
   if (sleep_) step.sleep = &*sleep_;
   return step;
+}
+
+/// Whether an exception may find bodies that are no longer as they were when the step began.
+template <Scalar Real>
+bool World<Real>::may_leave_midway() const {
+  return plan_->settings.substeps > 1 || acting_ != nullptr;
+}
+
+/// Bodies on paths go where these lead, and what forces begin to act on wakes.
+template <Scalar Real>
+void World<Real>::follow(SubstepTime time) {
+  acting_->lead(time, state_);
+  if (sleep_) acting_->find_changes(time, [this](BodyId body) { sleep_->wake(body); });
+}
+
+/// Whom the hand holds wakes; and it is kept what a step that is not done would go back to.
+template <Scalar Real>
+void World<Real>::begin_step() {
+  if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
+  if (may_leave_midway()) start_ = {state_.pose, state_.velocity};
+  if (plan_->extras.one_way) contacts_.begin_step();
+  if (plan_->watches()) watch_.begin();
+}
+
+/// Of a step that is not done: bodies are where it began. What was found on the way is found again.
+template <Scalar Real>
+void World<Real>::leave_step() {
+  if (may_leave_midway()) state_.pose = start_.pose, state_.velocity = start_.velocity;
+  if (plan_->extras.one_way) contacts_.leave_step();
+  record_ = {};
+}
+
+/// The events that a step has made are due before the next one.
+template <Scalar Real>
+void World<Real>::end_step() {
+  if (!plan_->watches()) return;
+  std::optional<Scene> then = watch_.end(clock_.time, clock_.dt, *scene_);
+  if (!then) return;
+  scene_ = std::make_shared<const Scene>(std::move(*then));
+  if (acting_) acting_ = std::make_shared<const Acting<Real>>(*scene_);
 }
 
 template class World<float>;

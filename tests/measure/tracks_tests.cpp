@@ -122,3 +122,27 @@ TEST_CASE("a track of what is not there is refused, with what it may be") {
     CHECK(refusal(pattern).find("track must be") != std::string::npos);
   }
 }
+
+TEST_CASE("sensors say how many bodies touch them, and counters how often events counted") {
+  Scene scene;
+  scene.add_ground();
+  const BodyId ball = scene.add({.shapes = {circle(0.5)}, .position = {0, 3.5}});
+  scene.add({.shapes = {circle(0.25)}, .position = {3, 0.25}});
+  const BodyId sensor =
+      scene.add({.type = BodyType::static_body, .shapes = {box(9, 2)}, .position = {0, 1}, .sensor = true});
+  scene.add({.action = CountTouches{"hits"}, .touch = TouchCondition{.a = {ball}, .b = {ground}}});
+  const TrackNames names{.bodies = {"ground", "ball", "bob", "zone"},
+                         .sensors = sensors_of(scene),
+                         .counters = counters_of(scene)};
+  CHECK(names.sensors == List<BodyId>{sensor});
+  CHECK(names.counters == List<std::string>{"hits"});
+  TrackRecorder recorder({"zone.touching", "hits.count"}, names);
+  follow(scene, 60, recorder);
+  const List<Track>& tracks = recorder.tracks();
+  REQUIRE(tracks.size() == 2);
+  CHECK(tracks[0].values[1] == 1);  // the bob alone
+  CHECK(tracks[0].values.back() == 2);
+  CHECK(tracks[1].values[1] == 0);
+  CHECK(tracks[1].values.back() == 1);
+  CHECK_THROWS_AS(TrackRecorder({"ball.touching"}, names), std::invalid_argument);
+}

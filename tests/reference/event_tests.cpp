@@ -65,3 +65,51 @@ TEST_CASE(
   CHECK(end.contacts.size() == 2);
   CHECK(end.contacts[0].b == above);
 }
+
+TEST_CASE("events set velocity, friction and gravity in Box2D as they do in Cairn") {
+  Scene scene({.dt = event_dt});
+  scene.add_ground();
+  const BodyId lift = scene.add({.type = BodyType::kinematic, .shapes = {box(1, 1)}, .position = {-9, 5}});
+  const BodyId sled = scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5}, .velocity = {4, 0}});
+  const BodyId free = scene.add({.shapes = {circle(0.5)}, .position = {9, 9}});
+  scene.add({.time = 0.5, .action = ChangeBody{.body = lift, .velocity = Vec2<double>(0, 2)}});
+  scene.add({.time = 0.25, .action = ChangeBody{.body = sled, .friction = 0}});
+  scene.add({.time = 0.5, .action = SetGravity{.gravity = {0, 10}}});
+  const Snapshot now = box2d_after(scene, 64);
+  const double single = 1e-5;  // a few roundings
+  CHECK(now.bodies[lift].pose.position.y() == doctest::Approx(5 + 2 * 0.5).epsilon(single));
+  // sqrt(0.6 0.6) g dt a step is lost in the 16 steps before.
+  CHECK(now.bodies[sled].velocity.x() == doctest::Approx(4 - 0.6 * 10 * 0.25).epsilon(1e-3));
+  CHECK(std::abs(now.bodies[free].velocity.y()) <= single);  // 32 steps down, and 32 up
+}
+
+TEST_CASE("Box2D refuses events of touches, surface speeds and sensors, and joints that break, by name") {
+  const auto refusal = [](const std::function<void(Scene&, BodyId)>& change) -> std::string {
+    Scene scene;
+    const BodyId disc = scene.add({.shapes = {circle(1)}, .position = {0, -2}});
+    scene.join<DistanceJoint>({.b = disc, .anchor_b = {0, -2}});
+    change(scene, disc);
+    try {
+      Box2DWorld world(scene);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(refusal([](Scene&, BodyId) {}).empty());
+  CHECK(refusal([](Scene& scene, BodyId disc) {
+          scene.add({.action = SetGravity{}, .touch = TouchCondition{.a = {disc}}});
+        }) == "Box2DWorld: event must be one with a time: it waits for no touch, got one of a touch");
+  CHECK(refusal([](Scene& scene, BodyId disc) {
+          scene.add({.time = 1, .action = ChangeBody{.body = disc, .surface_speed = 1}});
+        }) ==
+        "Box2DWorld: event must be without surface_speed and sensor, which it takes over for good, "
+        "got one of them");
+  CHECK(
+      refusal([](Scene& scene, BodyId) { scene.change(scene.joints().id(0), JointStrength{.force = 1}); }) ==
+      "Box2DWorld: break_force must be left out, as break_torque: its joints do not break, got one of "
+      "them");
+  CHECK(refusal([](Scene& scene, BodyId) {
+          scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}, .filter = {.one_way = {0, 1}}});
+        }) == "Box2DWorld: one_way must be [0, 0]: one-way bodies are not taken over, got a direction");
+}

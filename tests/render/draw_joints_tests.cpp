@@ -55,3 +55,37 @@ TEST_CASE("a rope with a roller that is nowhere is left out") {
   world.joints.clear();
   CHECK(picture_of_world(world).pixels == image.pixels);
 }
+
+TEST_CASE("of a rod that has broken two ends are left, of a pin a crossed ring, and nothing between") {
+  Snapshot world = rope_over_rollers();
+  SnapshotJoint rod = world.joints[0];
+  rod.between.clear();
+  world.joints.clear();
+  world.broken = {{.joint = rod}};
+  const Theme theme = light_theme();
+  const Image image = picture_of_world(world, {.numbers = false});
+  const Vec2<double> along = (rod.anchor_b - rod.anchor_a).normalized();
+  // 8 px along the rod, which goes up in the picture.
+  CHECK(distance_at(image, rod.anchor_a, theme.joint, 8 * along.x(), -8 * along.y()) < 120);
+  CHECK(distance_at(image, rod.anchor_b, theme.joint, -8 * along.x(), 8 * along.y()) < 120);
+  CHECK(distance_at(image, (rod.anchor_a + rod.anchor_b) / 2, theme.background, 0, 0) <= 2);
+  world.broken[0].joint.traits.is_line = false;
+  const Image pin = picture_of_world(world, {.numbers = false});
+  CHECK(distance_at(pin, rod.anchor_a, theme.joint, 0, 0) < 120);
+  world.bodies[BodyId{1}].removed = world.bodies[BodyId{2}].removed = true;
+  const Image gone = picture_of_world(world, {.numbers = false});
+  world.broken.clear();
+  CHECK(picture_of_world(world, {.numbers = false}).pixels == gone.pixels);
+}
+
+TEST_CASE("what is one-way has marks, and a sensor is a dashed line around nothing") {
+  SnapshotBody shelf = dynamic_body(box(4, 1), {0, 1});
+  shelf.type = BodyType::static_body;
+  const Image usual = picture_of_world(with_ground({shelf}));
+  shelf.filter.one_way = {0, 1};
+  CHECK(picture_of_world(with_ground({shelf})).pixels != usual.pixels);
+  shelf.filter.one_way = {0, 0};
+  shelf.sensor = true;
+  const Image sensor = picture_of_world(with_ground({shelf}));
+  CHECK(distance_at(sensor, {0, 1}, light_theme().background, 0, 0) <= 2);
+}

@@ -294,7 +294,7 @@ TEST_CASE("a joint for each of a row is as many joints") {
 TEST_CASE("a joint's own frequency is that of the file, and its damping ratio that of the policy") {
   const auto spring = [](const std::string& text) {
     const Scene scene = read_scene_text(three_boxes + "[[joint]]\n" + text, "joint.toml").make();
-    return scene.joints().soft(0);
+    return scene.joints().hold(0).soft;
   };
   const SwingSoftness usual = SceneSettings{}.stabilization.joint_soft;
   const std::string weld = "type = \"weld\"\nb = \"b\"\n";

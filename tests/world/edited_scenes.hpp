@@ -54,7 +54,7 @@ struct HangingChain {
 
 inline List<JointId> ids_of(const Scene& scene) {
   List<JointId> ids;
-  for (const int i : scene.joints().indices()) ids.push_back(scene.joints().id(i));
+  for (int i = 0; i < scene.joints().size(); ++i) ids.push_back(scene.joints().id(i));
   return ids;
 }
 

@@ -232,13 +232,13 @@ TEST_CASE("a scene with a rule or a pair slides and rebounds by it") {
 
 TEST_CASE("a scene plans for no more of this than it has, and says so") {
   const Plan plain = make_plan(block_on_slope(0, {}));
-  CHECK_FALSE(plain.surfaces.static_friction);
-  CHECK_FALSE(plain.surfaces.rolling_resistance);
+  CHECK_FALSE(plain.extras.static_friction);
+  CHECK_FALSE(plain.extras.rolling_resistance);
   CHECK(plain.contacts_without_rows());
   for (const char* word : {"static", "rolling", "mixing", "impacts"})
     CHECK(explain(plain).find(word) == std::string::npos);
   const Plan both = make_plan(block_on_slope(0, two_coefficients));
-  CHECK(both.surfaces.static_friction);
+  CHECK(both.extras.static_friction);
   CHECK(both.contacts_without_rows());
   CHECK(explain(both).find("static") != std::string::npos);
   const Plan rolling = make_plan(rolling_disc(0, 0.1));

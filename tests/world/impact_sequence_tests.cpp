@@ -250,8 +250,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a scene without rebounds plans for no sequence, and the threshold of rebounds is explained") {
-  CHECK_FALSE(make_plan(balls({.restitution = 0})).surfaces.impact_sequence);
-  CHECK(make_plan(balls({})).surfaces.impact_sequence);
+  CHECK_FALSE(make_plan(balls({.restitution = 0})).extras.impact_sequence);
+  CHECK(make_plan(balls({})).extras.impact_sequence);
   CHECK(explain(make_plan(balls({}))).find("impacts") != std::string::npos);
   CHECK(explain(make_plan(balls({}))).find("does not rebound") == std::string::npos);
   CHECK(explain(make_plan(balls({.gravity = {0, -10}}))).find("more slowly than 0.5 m/s does not rebound") !=

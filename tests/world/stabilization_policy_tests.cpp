@@ -183,7 +183,7 @@ TEST_CASE("a joint's spring out of range, or of no joint, is refused") {
       scene.join<DistanceJoint>({.b = scene.add({.shapes = {circle(1)}}), .anchor_a = {0, 2}});
   CHECK_THROWS_AS(scene.change(rod, {.frequency = 0}), std::invalid_argument);
   CHECK_THROWS_AS(scene.change({1}, {.frequency = 5}), std::invalid_argument);
-  CHECK_FALSE(scene.joints().soft(0));
+  CHECK_FALSE(scene.joints().hold(0).soft);
 }
 
 TEST_CASE("n substeps are n steps of dt / n, bit for bit") {

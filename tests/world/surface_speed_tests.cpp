@@ -95,8 +95,8 @@ TEST_CASE("what a belt pushes against a wall gets the friction that slides under
 
 TEST_CASE("surfaces that run are explained and counted as a drive, and cost nothing where there are none") {
   const Plan still = make_plan(box_on_belt(0)), running = make_plan(box_on_belt(1));
-  CHECK_FALSE(still.surfaces.speed);
-  CHECK(running.surfaces.speed);
+  CHECK_FALSE(still.extras.surface_speed);
+  CHECK(running.extras.surface_speed);
   CHECK(explain(still).find("surfaces") == std::string::npos);
   CHECK(explain(running).find("surfaces") != std::string::npos);
   CHECK(is_driven(box_on_belt(1)));
@@ -105,7 +105,7 @@ TEST_CASE("surfaces that run are explained and counted as a drive, and cost noth
   Scene slippery;
   slippery.add_ground({.material = {.friction = 0, .surface_speed = 1}});
   slippery.add({.shapes = {circle(1)}, .position = {0, 1}});
-  CHECK_FALSE(make_plan(slippery).surfaces.speed);
+  CHECK_FALSE(make_plan(slippery).extras.surface_speed);
 }
 
 TEST_CASE("a body may be given another surface speed while a world runs") {
