@@ -3,16 +3,14 @@
 
 #include <algorithm>
 
+#include <cairn/constraints/contact_jacobians.hpp>
+
 namespace cairn {
 
 namespace {
 
 // RowKey::source of contacts: joints have their ids.
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
-// Of a speed or an impulse: less is not told apart from nothing by solvers in the middle of their work.
-template <Scalar Real>
-constexpr Real slip_share = Real(1e-3);
-
 template <Scalar Real>
 std::uint64_t contact_source(const Manifold<Real>& manifold) {
   return contact_source_bit | static_cast<std::uint64_t>(manifold.collider_a) << 31 |
@@ -23,20 +21,6 @@ std::uint64_t contact_source(const Manifold<Real>& manifold) {
 template <Scalar Real>
 bool shares_friction(const Contact<Real>& contact, FrictionRows rows) {
   return rows == FrictionRows::per_manifold && contact.manifold.count == 2;
-}
-
-/// j of the first body for the relative velocity along `direction` of what the two have at a point.
-template <Scalar Real>
-Vec3<Real> jacobian_of_a(const Contact<Real>& contact, const Vec2<Real>& point, const Vec2<Real>& direction) {
-  const Vec2<Real> arm = point - contact.center_a;
-  return {-direction.x(), -direction.y(), -cross(arm, direction)};
-}
-
-/// That of the second body.
-template <Scalar Real>
-Vec3<Real> jacobian_of_b(const Contact<Real>& contact, const Vec2<Real>& point, const Vec2<Real>& direction) {
-  const Vec2<Real> arm = point - contact.center_b;
-  return {direction.x(), direction.y(), cross(arm, direction)};
 }
 
 /// [m] The larger one of the two bodies.
@@ -50,13 +34,6 @@ template <Scalar Real>
 bool has_rolling_row(const Contact<Real>& contact, const VelocityProblem<Real>& problem) {
   return contact.manifold.count == 1 && rolling_resistance(contact, problem) > 0 &&
          problem.inverse_mass[contact.a].z() + problem.inverse_mass[contact.b].z() > 0;
-}
-
-/// Of the points of a manifold.
-template <Scalar Real>
-Vec2<Real> middle_of(const Manifold<Real>& manifold) {
-  if (manifold.count == 1) return manifold.points[0].position;
-  return (manifold.points[0].position + manifold.points[1].position) / 2;
 }
 
 /// Where the rows of one contact go: over old ones where there are any, so every member is set.
@@ -152,36 +129,6 @@ void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real thresh
 }
 
 template <Scalar Real>
-bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real friction, Real load) {
-  const Real limit = contact.friction * load;
-  if (std::abs(friction) < (1 - slip_share<Real>)*limit) return false;
-  const Vec2<Real> point = middle_of(contact.manifold), tangent = -perpendicular(contact.manifold.normal);
-  ConstraintRow<Real> row;
-  row.a = contact.a;
-  row.b = contact.b;
-  row.jacobian_a = jacobian_of_a(contact, point, tangent);
-  row.jacobian_b = jacobian_of_b(contact, point, tangent);
-  Real speed = row_velocity(problem, row);
-  if (!problem.surface_speed.empty())
-    speed -= problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
-  return std::abs(speed) > slip_share<Real> * limit * inverse_effective_mass(problem, row);
-}
-
-template <Scalar Real>
-bool comes_sliding(const Contact<Real>& contact, const VelocityProblem<Real>& problem,
-                   const PerBody<Vec3<Real>>& velocity) {
-  const Vec2<Real> point = middle_of(contact.manifold), normal = contact.manifold.normal;
-  const auto speed_along = [&](const Vec2<Real>& way) {
-    return dot(jacobian_of_a(contact, point, way), velocity[contact.a]) +
-           dot(jacobian_of_b(contact, point, way), velocity[contact.b]);
-  };
-  Real sliding = speed_along(-perpendicular(normal));
-  if (!problem.surface_speed.empty())
-    sliding -= problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
-  return std::abs(sliding) > slip_share<Real> * std::abs(speed_along(normal));
-}
-
-template <Scalar Real>
 void add_contact_blocks(VelocityProblem<Real>& problem, int& next) {
   for (const Contact<Real>& contact : problem.contacts) {
     const int count = contact_row_count(contact, problem);
@@ -222,18 +169,12 @@ void write_contact_rows(VelocityProblem<Real>& problem, List<SecondRow<Real>>* s
 
 template int contact_row_count(const Contact<float>&, const VelocityProblem<float>&);
 template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
-template bool slides(const Contact<float>&, const VelocityProblem<float>&, float, float);
-template bool comes_sliding(const Contact<float>&, const VelocityProblem<float>&,
-                            const PerBody<Vec3<float>>&);
 template void add_contact_blocks(VelocityProblem<float>&, int&);
 template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&,
                                  List<SecondRow<float>>*);
 template void write_contact_rows(VelocityProblem<float>&, List<SecondRow<float>>*);
 template int contact_row_count(const Contact<double>&, const VelocityProblem<double>&);
 template void meet(Contact<double>&, const PerBody<Vec3<double>>&, double, const VelocityProblem<double>&);
-template bool slides(const Contact<double>&, const VelocityProblem<double>&, double, double);
-template bool comes_sliding(const Contact<double>&, const VelocityProblem<double>&,
-                            const PerBody<Vec3<double>>&);
 template void add_contact_blocks(VelocityProblem<double>&, int&);
 template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&,
                                  List<SecondRow<double>>*);
