@@ -75,8 +75,7 @@ void require_convex(const List<Vec2<double>>& points, const List<int>& order) {
     const Vec2<double> after = (points[order[(i + 1) % count]] - corner).normalized();
     const double sine = cross<double>(before, after);
     const std::string field = fmt::format("points[{}]", order[i]);
-    require(sine >= -finest_detail, "polygon", field,
-            "a corner that turns outwards (convex; several convex shapes make up others)", text(corner));
+    require(sine >= -finest_detail, "polygon", field, "a corner that turns outwards (convex)", text(corner));
     require(sine > finest_detail, "polygon", field, "out of line with its neighbours", text(corner));
     turned += arc_tangent(sine, before.dot(after));
   }

@@ -33,8 +33,13 @@ ChainEnds chain_ends(const SceneTable& table) {
 List<Shape<double>> make_scene_polygon(const SceneTable& table) {
   const List<Vec2<double>> points = table.get<List<Vec2<double>>>("polygon");
   const double radius = table.get<double>("radius");
-  if (radius > 0) return {polygon(points, radius)};
-  return outline(points);
+  List<Shape<double>> pieces;
+  table.guard([&] { pieces = outline(points); });
+  if (radius == 0) return pieces;
+  if (pieces.size() > 1)
+    table.refuse("radius", "left out of a polygon that is not convex; each of several shapes may have one");
+  table.guard([&] { pieces = {polygon(points, radius)}; });
+  return pieces;
 }
 
 Shape<double> make_scene_shape(const SceneTable& table, const std::string& key) {
@@ -88,7 +93,7 @@ List<Shape<double>> shape_of(const SceneTable& table) {
   }
   List<Shape<double>> shapes;
   if (key == "polygon") {
-    table.guard([&] { shapes = make_scene_polygon(table); });
+    shapes = make_scene_polygon(table);
   } else if (!key.empty()) {
     table.guard([&] { shapes.push_back(make_scene_shape(table, key)); });
   }
