@@ -41,15 +41,6 @@ struct Attachment {
   bool turns = true;             // with the body; false: it keeps its place beside the centre of mass
 };
 
-/// What drives the coordinate of a joint: of b, seen from a.
-struct JointMotor {
-  double speed = 0;      // [rad/s] of an angle, [m/s] of a slide
-  double max_force = 0;  // [N m] or [N], at most
-  /// [rad or m] of a servo: where it goes, at `speed` at most, and stays; none: it runs at `speed` for ever
-  std::optional<double> target = {};
-  double rate = 10;  // [1/s] of a servo: its speed for each rad or m that is missing
-};
-
 /// A joint: immutable, shared by all worlds of a scene. Derive from ConstraintOf<Derived>, not from this.
 class Constraint {
  public:

@@ -32,6 +32,7 @@ void add_ratchet_row(const RigidRow<Real>& coordinate, Real tooth, RowWriter<Rea
   row.error = coordinate.error - tooth * std::floor(coordinate.error / tooth + play);
   row.bounds = Bounds<Real>::unilateral();
   row.keeps_slop = false;
+  row.jumps = true;
   if (tooth < 0) {
     row.error = -row.error;
     row.jacobian_a = -row.jacobian_a;
@@ -90,9 +91,14 @@ JointTraits JointCoordinate::marked(JointTraits traits) const {
 
 /// Springs come first, and what holds last: the last rows of a sweep are satisfied best.
 template <Scalar Real>
-void JointCoordinate::add_rows(const RigidRow<Real>& coordinate, RowWriter<Real>& rows) const {
+void JointCoordinate::add_rows(const RigidRow<Real>& coordinate, Span<const RigidRow<Real>> held,
+                               RowWriter<Real>& rows) const {
   if (spring_) add_spring_row(coordinate, *spring_, rows);
-  if (motor_) add_motor_row(coordinate, *motor_, rows);
+  if (motor_) {
+    const bool is_servo = motor_->target.has_value();
+    add_motor_row(coordinate, *motor_, rows,
+                  is_servo ? inverse_mass_beside(coordinate, held, rows) : Real(0));
+  }
   if (ratchet_) add_ratchet_row(coordinate, static_cast<Real>(*ratchet_), rows);
   add_limit_rows(coordinate, limits_, rows);
 }
@@ -105,8 +111,10 @@ Real JointCoordinate::force(const RowForces<Real>& forces) const {
          of(JointPart::spring) + (ratchet_.value_or(1) > 0 ? ratchet : -ratchet);
 }
 
-template void JointCoordinate::add_rows(const RigidRow<float>&, RowWriter<float>&) const;
-template void JointCoordinate::add_rows(const RigidRow<double>&, RowWriter<double>&) const;
+template void JointCoordinate::add_rows(const RigidRow<float>&, Span<const RigidRow<float>>,
+                                        RowWriter<float>&) const;
+template void JointCoordinate::add_rows(const RigidRow<double>&, Span<const RigidRow<double>>,
+                                        RowWriter<double>&) const;
 template float JointCoordinate::force(const RowForces<float>&) const;
 template double JointCoordinate::force(const RowForces<double>&) const;
 

@@ -18,13 +18,15 @@ struct JointSpring {
 ///   lower limit  C = q - lower >= 0,  j = j_q,   impulse >= 0
 ///   upper limit  C = upper - q >= 0,  j = -j_q,  impulse >= 0
 ///   motor        no C,                j = j_q,   j v = speed, |impulse| <= max_force dt
-///   servo        C = q - target,      j = j_q,   j v = -rate C, |j v| <= speed, |impulse| <= max_force dt
+///   servo        C = q - target,      j = j_q,   j v as below,  |impulse| <= max_force dt
 ///   spring       C = q - rest,        j = j_q,   soft
 ///   ratchet      C = q - n tooth >= 0,  j = j_q,   impulse >= 0
 /// A servo is a motor with a target. Its speed follows what is missing, rather than its force: so it holds
-/// the target itself under any load below max_force, where a spring would give way; and as it slows down
-/// along q' = -rate C it does not overshoot, unless its force cannot brake what it moves: while rate * speed
-/// times the inertia is below what max_force has left beside the load. A rate of more than 1 / dt is 1 / dt.
+/// the target itself under any load below max_force, where a spring would give way. It goes by
+///   |j v| = min(speed, rate |C|, sqrt(|C| max_force / m))
+/// with what m of both bodies resists, where the joint's own rows hold: half of max_force stops that in time,
+/// so it does not overshoot while the load leaves the other half. What hangs on other joints is not in m. A
+/// rate of more than 1 / dt is 1 / dt.
 /// A ratchet of positive teeth lets q grow, and holds it at the last tooth n that it has passed; of negative
 /// ones the other way round. It knows the tooth by q alone: one that has been pressed back by less than
 /// ratchet_play of a tooth is still on it. Sources: the bounds as in E. Catto, Modeling and Solving
@@ -58,9 +60,11 @@ class JointCoordinate {
   /// Says what it has in the traits of its joint.
   JointTraits marked(JointTraits traits) const;
 
-  /// Writes the rows of what is asked: `coordinate` is the row of q.
+  /// Writes the rows of what is asked: `coordinate` is the row of q, `held` are those that
+  /// the joint keeps.
   template <Scalar Real>
-  void add_rows(const RigidRow<Real>& coordinate, RowWriter<Real>& rows) const;
+  void add_rows(const RigidRow<Real>& coordinate, Span<const RigidRow<Real>> held,
+                RowWriter<Real>& rows) const;
   /// [N m or N] What they gave together, along the coordinate.
   template <Scalar Real>
   Real force(const RowForces<Real>& forces) const;

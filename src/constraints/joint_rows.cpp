@@ -68,14 +68,34 @@ void add_limit_rows(const RigidRow<Real>& coordinate, const JointLimits& limits,
 }
 
 template <Scalar Real>
-void add_motor_row(const RigidRow<Real>& coordinate, const JointMotor& motor, RowWriter<Real>& rows) {
+void add_motor_row(const RigidRow<Real>& coordinate, const JointMotor& motor, RowWriter<Real>& rows,
+                   Real inverse_mass) {
   RowSpec<Real> row = coordinate;
   row.error = motor.target ? coordinate.error - static_cast<Real>(*motor.target) : Real(0);
   row.speed = static_cast<Real>(motor.speed);
   row.max_force = static_cast<Real>(motor.max_force);
   row.approach = motor.target ? static_cast<Real>(motor.rate) : Real(0);
+  row.brake = static_cast<Real>(motor.max_force) * inverse_mass;
   row.part = static_cast<std::uint64_t>(JointPart::motor);
   rows.add(row);
+}
+
+/// The Schur complement of one or two rows that hold: A - b^T K^-1 b.
+template <Scalar Real>
+Real inverse_mass_beside(const RigidRow<Real>& row, Span<const RigidRow<Real>> held,
+                         const RowWriter<Real>& rows) {
+  const Vec3<Real> of_a = rows.inverse_mass(row.a), of_b = rows.inverse_mass(row.b);
+  const auto coupling = [&](const RigidRow<Real>& one, const RigidRow<Real>& other) {
+    return dot<Real>(one.jacobian_a, of_a.cwiseProduct(other.jacobian_a)) +
+           dot<Real>(one.jacobian_b, of_b.cwiseProduct(other.jacobian_b));
+  };
+  const RigidRow<Real>&first = held.front(), &last = held.back();
+  const Real free = coupling(row, row), b = coupling(row, first), k = coupling(first, first);
+  if (!(k > 0)) return free;
+  const Real beside_first = free - b * b / k;
+  const Real c = coupling(row, last) - coupling(first, last) * b / k;
+  const Real left = coupling(last, last) - coupling(first, last) * coupling(first, last) / k;
+  return held.size() > 1 && left > 0 ? beside_first - c * c / left : beside_first;
 }
 
 template <Scalar Real>
@@ -117,8 +137,12 @@ template void add_line_stiffness(BodyId, const Vec2<double>&, const Vec2<double>
 template FixedList<RigidRow<float>, 2> pin_rows(BodyId, BodyId, const JointArms<float>&);
 template RigidRow<float> angle_row(BodyId, BodyId, float);
 template void add_limit_rows(const RigidRow<float>&, const JointLimits&, RowWriter<float>&);
-template void add_motor_row(const RigidRow<float>&, const JointMotor&, RowWriter<float>&);
-template void add_motor_row(const RigidRow<double>&, const JointMotor&, RowWriter<double>&);
+template void add_motor_row(const RigidRow<float>&, const JointMotor&, RowWriter<float>&, float);
+template float inverse_mass_beside(const RigidRow<float>&, Span<const RigidRow<float>>,
+                                   const RowWriter<float>&);
+template void add_motor_row(const RigidRow<double>&, const JointMotor&, RowWriter<double>&, double);
+template double inverse_mass_beside(const RigidRow<double>&, Span<const RigidRow<double>>,
+                                    const RowWriter<double>&);
 template FixedList<RigidRow<double>, 2> pin_rows(BodyId, BodyId, const JointArms<double>&);
 template RigidRow<double> angle_row(BodyId, BodyId, double);
 template void add_limit_rows(const RigidRow<double>&, const JointLimits&, RowWriter<double>&);

@@ -89,8 +89,16 @@ void add_limit_rows(const RigidRow<Real>& coordinate, const JointLimits& limits,
 
 /// Writes the motor of the coordinate whose row is `coordinate`: the same j and |impulse| <= max_force dt. Of
 /// a servo C is what is missing to its target; of any other motor there is none, and j v = speed.
+/// `inverse_mass`: of what a servo has to brake [1/kg or 1/(kg m^2)]; 0: not known.
 template <Scalar Real>
-void add_motor_row(const RigidRow<Real>& coordinate, const JointMotor& motor, RowWriter<Real>& rows);
+void add_motor_row(const RigidRow<Real>& coordinate, const JointMotor& motor, RowWriter<Real>& rows,
+                   Real inverse_mass = 0);
+
+/// j M^-1 j^T of a row, where one or two others of the same bodies hold: how little the coordinate of a joint
+/// resists.
+template <Scalar Real>
+Real inverse_mass_beside(const RigidRow<Real>& row, Span<const RigidRow<Real>> held,
+                         const RowWriter<Real>& rows);
 
 /// The geometric stiffness of a pin that pushes b with the force F [N], and a with -F: arms turn with their
 /// bodies, and nothing else of C has a second derivative.

@@ -1,5 +1,7 @@
-// Floor 3. What kinds of joints say of themselves.
+// Floor 3. What kinds of joints say of themselves, and what drives one.
 #pragma once
+
+#include <optional>
 
 namespace cairn {
 
@@ -16,6 +18,15 @@ struct JointTraits {
   bool has_spring = false;      // along the coordinate that its motor would drive
   bool has_ratchet = false;     // goes one way only
   int box2d_rows = 1;           // that Box2D's joint of this kind has
+};
+
+/// What drives the coordinate of a joint: of b, seen from a.
+struct JointMotor {
+  double speed = 0;      // [rad/s] of an angle, [m/s] of a slide
+  double max_force = 0;  // [N m] or [N], at most
+  /// [rad or m] of a servo: where it goes, at `speed` at most, and stays; none: it runs at `speed` for ever
+  std::optional<double> target = {};
+  double rate = 10;  // [1/s] of a servo: its speed for each rad or m that is missing
 };
 
 }  // namespace cairn

@@ -70,11 +70,16 @@ void PrismaticJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) con
   const JointArms<Real> arms = ends_.arms(at);
   const Vec2<Real> u = at[ends_.a].rotation * local_axis_.template cast<Real>();
 
+  const RigidRow<Real> angle = angle_row(ends_.a, ends_.b, ends_.angle(at));
+  const FixedList<RigidRow<Real>, 2> both = {
+      slide_row<Real>(ends_.a, ends_.b, arms, perpendicular(u), JointPart::y), angle};
+  const Span<const RigidRow<Real>> held(both.data(), kind_ == Kind::prismatic ? 2 : 1);
+
   // The last rows of a sweep are satisfied best: the slide itself comes after what is asked of it.
-  if (!turn_.is_free()) turn_.add_rows(angle_row(ends_.a, ends_.b, ends_.angle(at)), rows);
-  if (!slide_.is_free()) slide_.add_rows(slide_row(ends_.a, ends_.b, arms, u, JointPart::x), rows);
-  rows.add(slide_row<Real>(ends_.a, ends_.b, arms, perpendicular(u), JointPart::y));
-  if (kind_ == Kind::prismatic) rows.add(angle_row(ends_.a, ends_.b, ends_.angle(at)));
+  if (!turn_.is_free()) turn_.add_rows<Real>(angle, held, rows);
+  if (!slide_.is_free())
+    slide_.add_rows<Real>(slide_row(ends_.a, ends_.b, arms, u, JointPart::x), held, rows);
+  for (const RigidRow<Real>& row : held) rows.add(row);
 }
 
 template <Scalar Real>

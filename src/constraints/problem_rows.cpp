@@ -44,16 +44,6 @@ Real bias_velocity(const RowSpec<Real>& spec, Real speed, const RowRule<Real>& r
   return rule.only_corrects ? bias - row_velocity(spec, velocity) : bias + speed;
 }
 
-/// The row of a servo as that of a motor, in a step of dt [s].
-template <Scalar Real>
-RowSpec<Real> motor_of(const RowSpec<Real>& servo, Real dt) {
-  RowSpec<Real> motor = servo;
-  motor.speed = servo_speed(servo, dt);
-  motor.error = 0;
-  motor.approach = 0;
-  return motor;
-}
-
 /// Takes down what rows are off by.
 template <Scalar Real>
 class RowErrors final : public RowWriter<Real> {
@@ -183,7 +173,7 @@ void ProblemRows<Real>::measure_gap(const RigidRow<Real>& row) {
 template <Scalar Real>
 bool ProblemRows<Real>::follows_arc(const RowSpec<Real>& spec) const {
   const Arcs<Real>* const arcs = writing_.arcs;
-  if (arcs == nullptr || spec.softness || spec.max_force) return false;
+  if (arcs == nullptr || spec.softness || spec.max_force || spec.jumps) return false;
   if (spec.extra_count == 0 && !arcs->moves[spec.a] && !arcs->moves[spec.b]) return false;
   if (spec.bounds.is_equality() || !(spec.error > 0)) return true;
   return std::any_of(last_.begin(), last_.end(),

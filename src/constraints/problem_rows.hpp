@@ -52,7 +52,7 @@ struct RowWriting {
 ///   a rigid equality     takes beta C / dt back, on a spring of the policy the spring's rate times C
 ///   a rigid inequality   as pushing_bias()
 ///   a spring of its own  as spring_row()
-///   a servo              approach C back, at `speed` at most
+///   a servo              motor_of()
 /// To this comes the speed that it asks for by itself. Where only positions are corrected, friction, motors
 /// and springs do nothing, and an inequality takes no more than is still missing.
 template <Scalar Real>
@@ -67,6 +67,7 @@ class ProblemRows final : public RowWriter<Real> {
   void add(const RowSpec<Real>& spec) override;
   void add(const RigidRow<Real>& row) override;
   Vec3<Real> velocity(BodyId body) const override { return writing_.problem.velocity[body]; }
+  Vec3<Real> inverse_mass(BodyId body) const override { return writing_.problem.inverse_mass[body]; }
 
   /// Whether rigid rows hold points that are farther apart than the circle around the smaller body reaches.
   bool is_apart() const { return gap_squared_ > most_gap_ * most_gap_; }

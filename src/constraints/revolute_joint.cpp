@@ -24,9 +24,10 @@ std::shared_ptr<const Constraint> RevoluteJoint::with_motor(const std::optional<
 
 template <Scalar Real>
 void RevoluteJoint::rows(const Placements<Real>& at, RowWriter<Real>& rows) const {
+  const FixedList<RigidRow<Real>, 2> pin = pin_rows(ends_.a, ends_.b, ends_.arms(at));
   // The last rows of a sweep are satisfied best: the pin itself comes after what is asked of the angle.
-  if (!turn_.is_free()) turn_.add_rows(angle_row(ends_.a, ends_.b, ends_.angle(at)), rows);
-  for (const RigidRow<Real>& row : pin_rows(ends_.a, ends_.b, ends_.arms(at))) rows.add(row);
+  if (!turn_.is_free()) turn_.add_rows<Real>(angle_row(ends_.a, ends_.b, ends_.angle(at)), pin, rows);
+  for (const RigidRow<Real>& row : pin) rows.add(row);
 }
 
 template <Scalar Real>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <cairn/constraints/row.hpp>
@@ -39,8 +40,10 @@ struct RowSpec : RigidRow<Real> {
   bool keeps_slop = true;                  // an inequality: may stay violated by the slop, as contacts do
   FixedList<RowTerm<Real>, 2> extra = {};  // a third and a fourth body
   int extra_count = 0;                     // how many of `extra` there are
+  bool jumps = false;                      // C does, from pose to pose: it has no arc to follow
   /// [1/s] of a servo: how fast C goes, though not faster than `speed`; 0: the row goes at `speed` itself
   Real approach = 0;
+  Real brake = 0;  // [m/s^2 or rad/s^2] of a servo: by what its force could slow it down; 0: not known
 };
 
 /// How far the condition is from holding [m or rad], signed: all of the error of an equality, the missing
@@ -65,10 +68,23 @@ Real row_velocity(const RowSpec<Real>& spec, const PerBody<Vec3<Real>>& velocity
 }
 
 /// [m/s or rad/s] Of the row of a servo in a step of dt [s]: what is missing asks for it, and no more than
-/// all of that within the step.
+/// all of that within the step, and no more than half of its brake stops in time.
 template <Scalar Real>
 Real servo_speed(const RowSpec<Real>& servo, Real dt) {
-  return -std::clamp(servo.error * std::min(servo.approach, 1 / dt), -servo.speed, servo.speed);
+  const Real missing = std::abs(servo.error);
+  Real speed = std::min(servo.speed, missing * std::min(servo.approach, 1 / dt));
+  if (servo.brake > 0) speed = std::min(speed, std::sqrt(servo.brake * missing));
+  return servo.error > 0 ? -speed : speed;
+}
+
+/// The row of a servo as that of a motor, in a step of dt [s].
+template <Scalar Real>
+RowSpec<Real> motor_of(const RowSpec<Real>& servo, Real dt) {
+  RowSpec<Real> motor = servo;
+  motor.speed = servo_speed(servo, dt);
+  motor.error = 0;
+  motor.approach = 0;
+  return motor;
 }
 
 /// The rows of a joint, or of all of them.
@@ -87,20 +103,27 @@ class RowWriter {
   /// [m/s, m/s, rad/s] that a body would have at the end of the step without constraints, for rows that
   /// depend on it, as friction along the way that a body goes.
   virtual Vec3<Real> velocity(BodyId body) const = 0;
+  /// [1/kg, 1/kg, 1/(kg m^2)] of a body, for rows that depend on it, as the braking of a servo; 0: not known.
+  virtual Vec3<Real> inverse_mass(BodyId) const { return Vec3<Real>::Zero(); }
 };
 
 /// Keeps what it is told, for those who want to know what joints state. Nobody moves.
 template <Scalar Real>
 class StatedRows final : public RowWriter<Real> {
  public:
-  /// Rows go behind those that are there.
-  explicit StatedRows(RowSpecs<Real>& rows) : rows_(rows) {}
+  /// Rows go behind those that are there. `inverse_mass`: of bodies, where it is known.
+  explicit StatedRows(RowSpecs<Real>& rows, const PerBody<Vec3<Real>>* inverse_mass = nullptr)
+      : rows_(rows), inverse_mass_(inverse_mass) {}
   void add(const RowSpec<Real>& row) override { rows_.push_back(row); }
   void add(const RigidRow<Real>& row) override { rows_.push_back(row); }
   Vec3<Real> velocity(BodyId) const override { return Vec3<Real>::Zero(); }
+  Vec3<Real> inverse_mass(BodyId body) const override {
+    return inverse_mass_ == nullptr ? Vec3<Real>(Vec3<Real>::Zero()) : (*inverse_mass_)[body];
+  }
 
  private:
   RowSpecs<Real>& rows_;
+  const PerBody<Vec3<Real>>* inverse_mass_;
 };
 
 }  // namespace cairn

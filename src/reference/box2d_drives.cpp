@@ -24,9 +24,10 @@ void set_motor(b2Joint& joint, const std::optional<JointMotor>& motor) {
   if (joint.GetType() == e_wheelJoint) set(static_cast<b2WheelJoint&>(joint));
 }
 
-std::optional<double> servo_speed(const Constraint& joint, const PerBody<Pose<double>>& poses, double dt) {
+std::optional<double> servo_speed(const Constraint& joint, const BodyState<double>& state, double dt) {
   RowSpecs<double> rows;
-  joint.append_rows(poses, rows);
+  StatedRows<double> stated(rows, &state.inverse_mass);
+  joint.write_rows(Placements<double>(state.pose), stated);
   for (const RowSpec<double>& row : rows)
     if (row.approach > 0) return servo_speed(row, dt);
   return std::nullopt;

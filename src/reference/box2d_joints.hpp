@@ -23,8 +23,8 @@ List<b2Joint*> create_joints(b2World& world, const Scene& scene, const PerBody<b
 /// Gives the motor of a joint that can have one another speed and strength, or stops it.
 void set_motor(b2Joint& joint, const std::optional<JointMotor>& motor);
 
-/// [rad/s or m/s] How fast the servo of a joint goes in a step of dt from these poses; none: it has no servo.
-std::optional<double> servo_speed(const Constraint& joint, const PerBody<Pose<double>>& poses, double dt);
+/// [rad/s or m/s] How fast the servo of a joint goes in a step of dt from here; none: it has no servo.
+std::optional<double> servo_speed(const Constraint& joint, const BodyState<double>& state, double dt);
 
 /// What Box2D does in another way with the joints of a scene, a line each.
 List<std::string> box2d_differences(const Scene& scene);

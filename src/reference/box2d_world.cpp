@@ -239,7 +239,7 @@ void Box2DWorld::Simulation::drive_servos() {
   const BodyState<double> now = state();
   for (int i = 0; i < joints.size(); ++i) {
     std::optional<JointMotor> motor = scene.joints()[i]->motor();
-    const std::optional<double> speed = servo_speed(*scene.joints()[i], now.pose, scene.settings().dt);
+    const std::optional<double> speed = servo_speed(*scene.joints()[i], now, scene.settings().dt);
     if (!speed) continue;
     motor->speed = *speed;
     set_motor(*joints[i], motor);

@@ -133,11 +133,11 @@ Swings swings_of(Motion& motion, double seconds, const std::function<double()>& 
 
 ValidationResult torsion_pendulum(const EngineMaker& make) {
   ValidationResult result;
-  const double rest = 0.25, spin = 3;
+  const double rest = 0.25, spin = 3, dt = standard_dt / 4;
   for (const double stiffness : {2.0, 8.0, 32.0}) {
-    const double omega = std::sqrt(stiffness / wheel_inertia), turn = omega * standard_dt;
+    const double omega = std::sqrt(stiffness / wheel_inertia), turn = omega * dt;
     const JointSpring spring{.softness = SpringSoftness{.stiffness = stiffness}, .rest = rest};
-    Motion wheel(make, free_wheel({.spring = spring}, spin, standard_dt), drive_sweeps);
+    Motion wheel(make, free_wheel({.spring = spring}, spin, dt), drive_sweeps);
     const Swings got = swings_of(wheel, 20, [&] { return wheel.angle({1}) - rest; });
     const std::string with = " on a spring of " + shortest(stiffness) + " N m/rad";
     result.add(measured("period" + with, got.period, "s")

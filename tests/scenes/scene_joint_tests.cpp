@@ -18,55 +18,10 @@
 #include <cairn/study/trial.hpp>
 #include <cairn/world/world.hpp>
 
+#include "scenes/same_joint.hpp"
+
 using namespace cairn;
-
-namespace {
-
-/// Three boxes a, b and c in a row.
-const std::string three_boxes = R"(
-[[body]]
-name = "a"
-box = [1, 1]
-velocity = [0.5, 1]
-[[body]]
-name = "b"
-box = [1, 0.5]
-position = [2, 0]
-angular_velocity = 3
-[[body]]
-name = "c"
-box = [0.5, 1]
-position = [4, 0]
-)";
-
-const BodyId a_box = {1}, b_box = {2}, c_box = {3};
-
-Scene with_three_boxes() {
-  Scene scene;
-  scene.add({.shapes = {box(1, 1)}, .velocity = {0.5, 1}});
-  scene.add({.shapes = {box(1, 0.5)}, .position = {2, 0}, .angular_velocity = 3});
-  scene.add({.shapes = {box(0.5, 1)}, .position = {4, 0}});
-  return scene;
-}
-
-/// Whether the joint of the text does what a joint of `spec` does, to the last bit, for half a second.
-template <typename Joint>
-void check_same_joint(const std::string& text, const typename Joint::Spec& spec,
-                      JointCollision collision = JointCollision::as_usual) {
-  CAPTURE(text);
-  Scene by_hand = with_three_boxes();
-  const TrialOptions options{.seconds = 0.5};
-  const std::uint64_t without = run_trial(by_hand, {}, options).state_hash;
-  by_hand.join<Joint>(spec, collision);
-  const Scene from_text = read_scene_text(three_boxes + "[[joint]]\n" + text, "joint.toml").make();
-  const TrialResult expected = run_trial(by_hand, {}, options), found = run_trial(from_text, {}, options);
-  CHECK(found.steps == 30);
-  CHECK(found.state_hash == expected.state_hash);
-  CHECK(found.state_hash != without);  // the joint does something
-  CHECK(from_text.joints().apart() == by_hand.joints().apart());
-}
-
-}  // namespace
+using namespace cairn::scene_tests;
 
 TEST_CASE("rods, ropes and springs from a file are those made by hand") {
   using Kind = DistanceJoint::Kind;
@@ -124,69 +79,6 @@ TEST_CASE("pins, slides and welds from a file are those made by hand, with limit
        .motor = PrismaticJoint::Motor{.speed = 4, .max_force = 50}});
   check_same_joint<WeldJoint>("type = \"weld\"\na = \"a\"\nb = \"b\"\nanchor = [1, 0]\ncollide = \"off\"\n",
                               {.a = a_box, .b = b_box, .anchor = {1, 0}}, JointCollision::off);
-}
-
-TEST_CASE("servos, springs and ratchets from a file are those made by hand") {
-  check_same_joint<RevoluteJoint>(
-      "type = \"revolute\"\na = \"a\"\nb = \"b\"\nanchor = [1, 0]\nratchet = -0.2\n"
-      "motor = { speed = 4, max_torque = 5, target = -0.5, rate = 3 }\n"
-      "spring = { stiffness = 6, damping = 0.5, rest = \"30 deg\" }\n",
-      {.a = a_box,
-       .b = b_box,
-       .anchor = {1, 0},
-       .motor = RevoluteJoint::Motor{.speed = 4, .max_torque = 5, .target = -0.5, .rate = 3},
-       .spring = JointSpring{.softness = SpringSoftness{.stiffness = 6, .damping = 0.5}, .rest = pi / 6},
-       .ratchet = -0.2});
-  check_same_joint<PrismaticJoint>(
-      "type = \"prismatic\"\na = \"a\"\nb = \"b\"\naxis = [1, 2]\nratchet = 0.1\n"
-      "motor = { speed = 4, max_force = 50, target = 0.3 }\n"
-      "spring = { frequency = 2, damping_ratio = 0.3, rest = 0.1 }\n",
-      {.a = a_box,
-       .b = b_box,
-       .anchor = {2, 0},
-       .axis = {1, 2},
-       .motor = PrismaticJoint::Motor{.speed = 4, .max_force = 50, .target = 0.3},
-       .spring = JointSpring{.softness = SwingSoftness{.frequency = 2, .damping_ratio = 0.3}, .rest = 0.1},
-       .ratchet = 0.1});
-}
-
-TEST_CASE("slots, wheels, soft welds, racks and least lengths from a file are those made by hand") {
-  using Kind = PrismaticJoint::Kind;
-  check_same_joint<PrismaticJoint>(
-      "type = \"slot\"\na = \"a\"\nb = \"b\"\nanchor = [1.5, 0]\nlower = -0.1\nupper = 0.2\n",
-      {.a = a_box, .b = b_box, .anchor = {1.5, 0}, .kind = Kind::slot, .lower = -0.1, .upper = 0.2});
-  check_same_joint<PrismaticJoint>(
-      "type = \"wheel\"\na = \"a\"\nb = \"b\"\nspring = { stiffness = 90, damping = 3 }\n"
-      "motor = { speed = 4, max_torque = 5 }\n",
-      {.a = a_box,
-       .b = b_box,
-       .anchor = {2, 0},
-       .axis = {0, 1},
-       .kind = Kind::wheel,
-       .motor = PrismaticJoint::Motor{.speed = 4, .max_force = 5},
-       .spring = JointSpring{.softness = SpringSoftness{.stiffness = 90, .damping = 3}}});
-  check_same_joint<WeldJoint>(
-      "type = \"weld\"\na = \"a\"\nb = \"b\"\nanchor = [1, 0]\nsoftness = { frequency = 3 }\n"
-      "bending = { stiffness = 5, damping = 0.1 }\n",
-      {.a = a_box,
-       .b = b_box,
-       .anchor = {1, 0},
-       .softness = SwingSoftness{.frequency = 3},
-       .bending = SpringSoftness{.stiffness = 5, .damping = 0.1}});
-  check_same_joint<GearJoint>(
-      "type = \"gear\"\na = \"a\"\nb = \"b\"\ncarrier = \"c\"\nradius_a = 0.5\nmesh = \"rack\"\n"
-      "axis = [0, 1]\n",
-      {.a = a_box, .b = b_box, .c = c_box, .radius_a = 0.5, .mesh = GearJoint::Mesh::rack, .axis = {0, 1}});
-  check_same_joint<DistanceJoint>(
-      "type = \"rope\"\na = \"a\"\nb = \"b\"\nlength = 3\nleast = 1.99\nslack_margin = 2\n",
-      {.a = a_box,
-       .b = b_box,
-       .anchor_a = {0, 0},
-       .anchor_b = {2, 0},
-       .length = 3,
-       .kind = DistanceJoint::Kind::rope,
-       .least = 1.99,
-       .slack_margin = 2});
 }
 
 TEST_CASE("ropes over rollers, gears and differentials from a file are those made by hand") {
