@@ -236,7 +236,7 @@ void finish(const Constraint& joint, b2Joint& made) {
 List<b2Joint*> create_joints(b2World& world, const Scene& scene, const PerBody<b2Body*>& bodies) {
   List<b2Joint*> joints(scene.joints().size(), nullptr);
   for (const bool gears : {false, true}) {
-    for (const int i : scene.joints().indices()) {
+    for (int i = 0; i < scene.joints().size(); ++i) {
       const Constraint& joint = *scene.joints()[i];
       const auto* const gear = dynamic_cast<const GearJoint*>(&joint);
       if ((gear != nullptr) != gears) continue;

@@ -27,7 +27,6 @@ void add_ladder_cases(ValidationCases& cases);    // B12
 void add_wedge_cases(ValidationCases& cases);     // B14
 void add_pendulum_cases(ValidationCases& cases);  // B15, B16
 void add_wheel_cases(ValidationCases& cases);     // B43
-void add_event_cases(ValidationCases& cases);     // B60-B63
 
 void add_modes_cases(ValidationCases& cases);      // B17, B26
 void add_spring_cases(ValidationCases& cases);     // B27-B29
@@ -47,5 +46,6 @@ void add_contact_cases(ValidationCases& cases);    // B45-B49
 void add_field_cases(ValidationCases& cases);      // B50-B54
 void add_drive_cases(ValidationCases& cases);      // B60-B63
 void add_linkage_cases(ValidationCases& cases);    // B64-B67
+void add_event_cases(ValidationCases& cases);      // B70-B73
 
 }  // namespace cairn

@@ -144,18 +144,18 @@ ValidationResult one_way_shelf(const EngineMaker& make) {
 }  // namespace
 
 void add_event_cases(ValidationCases& cases) {
-  cases.push_back({.id = "B60",
+  cases.push_back({.id = "B70",
                    .title = "A rod breaks above the m g that it hangs, or the m w^2 r that it whirls",
                    .run = breaking_rod});
-  cases.push_back({.id = "B61",
+  cases.push_back({.id = "B71",
                    .title = "A block that an event gives a speed v stops after v^2 / (2 mu g), less v dt / 2",
                    .asks = Asks::any_engine,
                    .run = velocity_of_event});
-  cases.push_back({.id = "B62",
+  cases.push_back({.id = "B72",
                    .title = "A body that falls by h enters a sensor after sqrt(2 h / g), to a step",
                    .run = sensor_entry});
   cases.push_back(
-      {.id = "B63",
+      {.id = "B73",
        .title = "A ball flies up through a one-way shelf as if it were not there, and lands on it",
        .run = one_way_shelf});
 }
