@@ -67,7 +67,7 @@ List<JointInBoth> slides() {
 /// Joints of one body with the world, or of two.
 List<JointInBoth> others() {
   OneBody dragged, rubbed, hung, geared, racked;
-  dragged.scene.join<DragJoint>({.body = dragged.body, .anchor = {1, 0}, .target = {1, 1}});
+  dragged.scene.join<DragJoint>({.body = dragged.body, .anchor = {1, 0}, .target = {1, 0.2}});
   rubbed.scene.join<FrictionJoint>({.b = rubbed.body, .max_force = 5, .max_torque = 0.1});
   const BodyId load = hung.scene.add({.position = {-1, 0}, .mass = 3, .inertia = 0.4});
   hung.scene.join<PulleyJoint>({.ends = {{.body = hung.body, .anchor = {1, 0}, .roller = {1, 3}},
