@@ -39,8 +39,8 @@ struct Box2DSettings {
 /// - Friction rows come before normal rows, and the two normal rows of a manifold are solved together, unless
 ///   they are (nearly) the same row: then the first carries all.
 /// - Springs are implicit Euler, and lose what Cairn's keep; the rope of a pulley pushes, too; the ends of a
-///   rope come no nearer than 0.005 m; the pull of a drag has its limit in any direction; a servo is a motor
-///   whose speed is set before each step.
+///   rope come no nearer than 0.005 m; a drag has its limit in any direction, and slows turning; a servo is a
+///   motor whose speed is set before each step.
 /// - Restitution takes the approach speed after gravity has acted, and no body moves more than 2 m or turns
 ///   more than a quarter turn in a step.
 class Box2DWorld {

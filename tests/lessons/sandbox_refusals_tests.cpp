@@ -48,22 +48,22 @@ TEST_CASE("a flag that means nothing to any of the solvers is refused") {
 }
 
 TEST_CASE("a solver that cannot run the scene is told of on standard error") {
-  // Pins with limits are not handed to Box2D; or Cairn was built without it.
-  const Ran beside = run_cairn({"compare", "ragdoll", "--solvers", "si,box2d", "--seconds", "0.2s"});
+  // Box2D has no differentials; or Cairn was built without it.
+  const Ran beside = run_cairn({"compare", "differential", "--solvers", "si,box2d", "--seconds", "0.2s"});
   CHECK(beside.code == 0);
-  CHECK(text_has(beside.err, "cairn compare: box2d cannot run ragdoll: "));
+  CHECK(text_has(beside.err, "cairn compare: box2d cannot run differential: "));
   CHECK(text_has(beside.out, "left out"));
-  const Ran none = run_cairn({"compare", "ragdoll", "--solvers", "box2d", "--seconds", "0.2s"});
+  const Ran none = run_cairn({"compare", "differential", "--solvers", "box2d", "--seconds", "0.2s"});
   CHECK(none.code == 2);
   CHECK(none.out.empty());
-  CHECK(text_has(none.err, "cairn compare: box2d cannot run ragdoll: "));
+  CHECK(text_has(none.err, "cairn compare: box2d cannot run differential: "));
   if (lists_box2d()) {
-    const Ran studied = run_cairn({"tradeoff", "ragdoll", "--solvers", "box2d", "--quick"});
+    const Ran studied = run_cairn({"tradeoff", "differential", "--solvers", "box2d", "--quick"});
     CHECK(studied.code == 2);
     CHECK(studied.out.empty());
-    CHECK(text_has(studied.err, "cairn tradeoff: box2d cannot run ragdoll: "));
+    CHECK(text_has(studied.err, "cairn tradeoff: box2d cannot run differential: "));
   }
-  const Ran alone = run_cairn({"run", "ragdoll", "--solver", "box2d"});
+  const Ran alone = run_cairn({"run", "differential", "--solver", "box2d"});
   CHECK(alone.code == 2);
   CHECK(alone.out.empty());
   CHECK(std::count(alone.err.begin(), alone.err.end(), '\n') == 1);

@@ -178,9 +178,9 @@ TEST_CASE("cairn compare puts solvers in one table, and leaves out what cannot r
   // SI and PGS are the same iteration: they differ by rounding, which a standing stack does not amplify.
   CHECK(rows[2]["penetration_m"].get<double>() ==
         doctest::Approx(rows[0]["penetration_m"].get<double>()).epsilon(1e-6));
-  // Pins with limits are not handed to Box2D; or Cairn was built without it.
+  // Box2D has no differentials; or Cairn was built without it.
   const nlohmann::json figure =
-      cairn_json({"compare", "ragdoll", "--solvers", "si,box2d", "--seconds", "0.2s"});
+      cairn_json({"compare", "differential", "--solvers", "si,box2d", "--seconds", "0.2s"});
   CHECK(figure[0]["status"] == "ok");
   CHECK(figure[1]["status"] == "refused");
   CHECK_FALSE(figure[1]["reason"].get<std::string>().empty());

@@ -60,9 +60,9 @@ TEST_CASE("slots, wheels, soft welds, racks and least lengths from a file are th
        .softness = SwingSoftness{.frequency = 3},
        .bending = SpringSoftness{.stiffness = 5, .damping = 0.1}});
   check_same_joint<GearJoint>(
-      "type = \"gear\"\na = \"a\"\nb = \"b\"\ncarrier = \"c\"\nradius_a = 0.5\nmesh = \"rack\"\n"
+      "type = \"gear\"\na = \"b\"\nb = \"a\"\ncarrier = \"c\"\nradius_a = 0.5\nmesh = \"rack\"\n"
       "axis = [0, 1]\n",
-      {.a = a_box, .b = b_box, .c = c_box, .radius_a = 0.5, .mesh = GearJoint::Mesh::rack, .axis = {0, 1}});
+      {.a = b_box, .b = a_box, .c = c_box, .radius_a = 0.5, .mesh = GearJoint::Mesh::rack, .axis = {0, 1}});
   check_same_joint<DistanceJoint>(
       "type = \"rope\"\na = \"a\"\nb = \"b\"\nlength = 3\nleast = 1.99\nslack_margin = 2\n",
       {.a = a_box,

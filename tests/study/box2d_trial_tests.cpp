@@ -19,10 +19,8 @@ const Setting usual_box2d{.solver = "box2d", .sweeps = {.iterations = 8}};
 
 }  // namespace
 
-TEST_CASE("Box2D runs the scenes of circles, polygons, rods and pins, and says why it refuses the others") {
-  const List<std::string> beyond_it = {"weld-beam", "spring-row", "four-bar",    "gears", "pulley",
-                                       "tumbler",   "puck",       "ragdoll",     "mill",  "gear-row",
-                                       "piston",    "towing",     "differential"};
+TEST_CASE("Box2D runs the scenes of what it has, and says why it refuses the others") {
+  const List<std::string> beyond_it = {"gears", "differential", "workshop"};
   for (const SceneEntry& entry : scene_entries()) {
     CAPTURE(entry.name);
     const bool refused = std::find(beyond_it.begin(), beyond_it.end(), entry.name) != beyond_it.end();

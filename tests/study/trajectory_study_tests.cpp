@@ -229,7 +229,7 @@ TEST_CASE("the name of a study of runs tells every grid and every number of star
 
 #ifdef CAIRN_HAVE_BOX2D
 TEST_CASE("a scene that Box2D refuses stays in the table as refused") {
-  const CsvTable table = rows_of({trajectory_scene("weld-beam")}, one_setting("box2d"));
+  const CsvTable table = rows_of({trajectory_scene("differential")}, one_setting("box2d"));
   REQUIRE(table.rows.size() == 1);
   CHECK(text_in(table, 0, "status") == "refused");
   CHECK(text_in(table, 0, "solver") == "box2d");
