@@ -9,9 +9,6 @@ namespace {
 
 // RowKey::source of contacts: joints have their ids.
 constexpr std::uint64_t contact_source_bit = std::uint64_t{1} << 63;
-// Of a speed or an impulse: less is not told apart from nothing by solvers in the middle of their work.
-template <Scalar Real>
-constexpr Real slip_share = Real(1e-3);
 
 template <Scalar Real>
 std::uint64_t contact_source(const Manifold<Real>& manifold) {
@@ -50,6 +47,14 @@ template <Scalar Real>
 bool has_rolling_row(const Contact<Real>& contact, const VelocityProblem<Real>& problem) {
   return contact.manifold.count == 1 && rolling_resistance(contact, problem) > 0 &&
          problem.inverse_mass[contact.a].z() + problem.inverse_mass[contact.b].z() > 0;
+}
+
+/// [m/s] With which the surfaces of a contact run along each other. Those that face each other run along the
+/// tangent in opposite directions.
+template <Scalar Real>
+Real surface_speed(const Contact<Real>& contact, const VelocityProblem<Real>& problem) {
+  const PerBody<Real>& of = problem.surface_speed;
+  return of.empty() ? Real(0) : of[contact.a] + of[contact.b];
 }
 
 /// Of the points of a manifold.
@@ -103,9 +108,7 @@ struct ContactRows {
     ConstraintRow<Real>& row = add(point, tangent, friction_part(feature));
     row.bounds = problem.rule.only_corrects ? Bounds<Real>::at_most(0)
                                             : Bounds<Real>::coulomb(contact.friction, normal_row, second);
-    // Surfaces that face each other run along the tangent in opposite directions.
-    if (!problem.surface_speed.empty() && !problem.rule.only_corrects)
-      row.bias = problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
+    if (!problem.rule.only_corrects) row.bias = surface_speed(contact, problem);
     if (second_rows) second_rows->push_back({.bias = row.bias});
   }
   void add_rolling(int normal_row) {
@@ -152,19 +155,15 @@ void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real thresh
 }
 
 template <Scalar Real>
-bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real friction, Real load) {
-  const Real limit = contact.friction * load;
-  if (std::abs(friction) < (1 - slip_share<Real>)*limit) return false;
+bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real kinetic, Real load) {
   const Vec2<Real> point = middle_of(contact.manifold), tangent = -perpendicular(contact.manifold.normal);
   ConstraintRow<Real> row;
   row.a = contact.a;
   row.b = contact.b;
   row.jacobian_a = jacobian_of_a(contact, point, tangent);
   row.jacobian_b = jacobian_of_b(contact, point, tangent);
-  Real speed = row_velocity(problem, row);
-  if (!problem.surface_speed.empty())
-    speed -= problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
-  return std::abs(speed) > slip_share<Real> * limit * inverse_effective_mass(problem, row);
+  const Real speed = row_velocity(problem, row) - surface_speed(contact, problem);
+  return std::abs(speed) > kinetic * load * inverse_effective_mass(problem, row);
 }
 
 template <Scalar Real>
@@ -175,10 +174,8 @@ bool comes_sliding(const Contact<Real>& contact, const VelocityProblem<Real>& pr
     return dot(jacobian_of_a(contact, point, way), velocity[contact.a]) +
            dot(jacobian_of_b(contact, point, way), velocity[contact.b]);
   };
-  Real sliding = speed_along(-perpendicular(normal));
-  if (!problem.surface_speed.empty())
-    sliding -= problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
-  return std::abs(sliding) > slip_share<Real> * std::abs(speed_along(normal));
+  const Real sliding = speed_along(-perpendicular(normal)) - surface_speed(contact, problem);
+  return std::abs(sliding) > contact.friction * std::abs(speed_along(normal));
 }
 
 template <Scalar Real>
