@@ -82,7 +82,8 @@ inline constexpr double level_share = 5e-4;
 template <Scalar Real>
 Neighbours<Real> link_neighbours(const Chain<Real>& chain, int link);
 
-/// A shape where it stands for ever; shapes of different groups do not lie beside each other.
+/// A shape where it stands for ever, or moves with its neighbours as one body; shapes of different groups do
+/// not lie beside each other.
 struct StillShape {
   const Shape<double>* shape = nullptr;  // no chain
   Pose<double> pose = {};                // of its body

@@ -1,4 +1,4 @@
-// Floor 3. Jacobians of what two bodies that touch have at a point.
+// Floor 3. What rows of contacts and the law of sliding share: Jacobians at a point, and speeds of surfaces.
 #pragma once
 
 #include <cairn/constraints/row.hpp>
@@ -17,6 +17,14 @@ template <Scalar Real>
 Vec3<Real> jacobian_of_b(const Contact<Real>& contact, const Vec2<Real>& point, const Vec2<Real>& direction) {
   const Vec2<Real> arm = point - contact.center_b;
   return {direction.x(), direction.y(), cross(arm, direction)};
+}
+
+/// [m/s] With which the surfaces of a contact run along each other. Those that face each other run along the
+/// tangent in opposite directions.
+template <Scalar Real>
+Real surface_speed(const Contact<Real>& contact, const VelocityProblem<Real>& problem) {
+  const PerBody<Real>& of = problem.surface_speed;
+  return of.empty() ? Real(0) : of[contact.a] + of[contact.b];
 }
 
 /// [m] Of the points of a manifold.

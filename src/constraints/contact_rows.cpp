@@ -80,9 +80,7 @@ struct ContactRows {
     ConstraintRow<Real>& row = add(point, tangent, friction_part(feature));
     row.bounds = problem.rule.only_corrects ? Bounds<Real>::at_most(0)
                                             : Bounds<Real>::coulomb(contact.friction, normal_row, second);
-    // Surfaces that face each other run along the tangent in opposite directions.
-    if (!problem.surface_speed.empty() && !problem.rule.only_corrects)
-      row.bias = problem.surface_speed[contact.a] + problem.surface_speed[contact.b];
+    if (!problem.rule.only_corrects) row.bias = surface_speed(contact, problem);
     if (second_rows) second_rows->push_back({.bias = row.bias});
   }
   void add_rolling(int normal_row) {

@@ -17,8 +17,6 @@ constexpr std::uint64_t normal_part(std::uint32_t feature) { return std::uint64_
 constexpr std::uint64_t friction_part(std::uint32_t feature) { return normal_part(feature) | 1; }
 /// Whether a part is that of a normal row.
 constexpr bool is_normal_part(std::uint64_t part) { return (part & 1) == 0 && part >> 33 == 0; }
-/// Whether it is that of a friction row.
-constexpr bool is_friction_part(std::uint64_t part) { return (part & 1) == 1; }
 /// The part of the row of rolling resistance behind these.
 constexpr std::uint64_t rolling_part(std::uint32_t feature) {
   return normal_part(feature) | std::uint64_t{1} << 33;
@@ -47,13 +45,13 @@ template <Scalar Real>
 void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real threshold,
           const VelocityProblem<Real>& problem);
 
-/// Whether the surfaces of a contact slide at the velocities of its problem, where its rows of friction gave
-/// `friction` and its normal rows `load` [N s]: friction gives all that it may, and leaves them a speed that
-/// it could not have taken. Both are judged to a thousandth, for solvers are seldom more exact.
+/// Whether the surfaces of a contact slide at the velocities of its problem, where its normal rows gave
+/// `load` [N s]: faster than friction of `kinetic`, mu, could stop within a substep. It tells what sweeps
+/// have left undone from what slides, and vanishes with dt.
 template <Scalar Real>
-bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real friction, Real load);
-/// Whether surfaces that have not touched yet come in sliding at these velocities: faster along each other
-/// than a thousandth of their speed.
+bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real kinetic, Real load);
+/// Whether surfaces that have not touched yet come in sliding at these velocities: by the same rule, with
+/// what the impact loads them with.
 template <Scalar Real>
 bool comes_sliding(const Contact<Real>& contact, const VelocityProblem<Real>& problem,
                    const PerBody<Vec3<Real>>& velocity);

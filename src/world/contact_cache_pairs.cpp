@@ -43,14 +43,13 @@ void ContactCache<Real>::remember_sliding(const VelocityProblem<Real>& problem) 
   for (int i = 0; i < problem.contacts.size(); ++i) {
     const RowBlock& block = problem.blocks[joints + i];
     const Contact<Real>& contact = problem.contacts[i];
-    Real load = 0, friction = 0;
+    Real load = 0;
     for (int k = 0; k < block.count; ++k) {
       const std::uint64_t part = contact_part(contact.manifold, block.count, k);
-      const Real impulse = problem.impulse[block.first + k];
-      if (is_normal_part(part)) load += impulse;
-      if (is_friction_part(part)) friction += impulse;
+      if (is_normal_part(part)) load += problem.impulse[block.first + k];
     }
-    graph_[touching_[i]].slides = slides(contact, problem, friction, load);
+    CachedContact<Real>& cached = graph_[touching_[i]];
+    cached.slides = slides(contact, problem, cached.friction, load);
   }
 }
 

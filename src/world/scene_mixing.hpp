@@ -12,7 +12,8 @@ namespace cairn {
 /// What a surface is like. What two that touch have in common follows by the scene's Mixing.
 ///
 /// Friction is that of Coulomb: surfaces that slide on each other have `friction`, and those that stick hold
-/// up to `static_friction`. They stick where a substep leaves them no speed along each other. Rolling
+/// up to `static_friction`. They stick while they are no faster along each other than `friction` could stop
+/// within a substep: a speed that vanishes with dt, as in Stribeck's curve (1902). Rolling
 /// resistance is that of textbooks, too (Coulomb, 1785): a moment of at most mu_r N against the turning of
 /// one body on the other, where N presses them together at one point. Of two surfaces the larger mu_r holds;
 /// it needs friction.

@@ -1,4 +1,4 @@
-// Friction as it is taught: static beside kinetic, rolling resistance, and what two surfaces have in common.
+// Friction as it is taught: static beside kinetic, and rolling resistance.
 #include "testing.hpp"
 
 using namespace cairn;
@@ -43,6 +43,13 @@ SequentialImpulse<double> sweeps(int count = 60) { return SequentialImpulse<doub
 
 const Material two_coefficients = {.friction = 0.3, .static_friction = 0.6};
 
+/// Steps until the block above slides under a pull of `tangent` times its weight: until it is faster than
+/// mu g dt m/m_t, where m/m_t = 1 + m (0.25 m)^2 / I. They have mu_s.
+double steps_to_slide(double tangent) {
+  const double effective = 1 + 0.0625 * 12 / (1 + 0.25);
+  return std::floor(0.3 * effective / (tangent - 0.6)) + 1;
+}
+
 }  // namespace
 
 TEST_CASE("a block that sticks holds up to mu_s, and slides at g (sin - mu cos) above it") {
@@ -55,7 +62,7 @@ TEST_CASE("a block that sticks holds up to mu_s, and slides at g (sin - mu cos) 
       const double below = std::atan(0.59), above = std::atan(0.65);
       const Scene holds = block_on_slope(below, two_coefficients, settings);
       const Scene slides = block_on_slope(above, two_coefficients, settings);
-      const double lost = 10 * std::cos(above) * (0.6 - 0.3) / 60;  // in the step in which it breaks loose
+      const double lost = steps_to_slide(0.65) * 10 * std::cos(above) * (0.6 - 0.3) / 60;
       const double speed = 10 * (std::sin(above) - 0.3 * std::cos(above)) - lost;  // after 1 s
       const auto check = [&](auto&& make) {
         CHECK(std::abs(velocity_after(holds, 120, make()).x()) <= 1e-6);
@@ -72,7 +79,7 @@ TEST_CASE("lanes know of static friction, too") {
   const double above = std::atan(0.65);
   const auto wide = [] { return WideSequentialImpulse<double>({.iterations = 60}); };
   CHECK(std::abs(velocity_after(block_on_slope(std::atan(0.59), two_coefficients), 120, wide()).x()) <= 1e-5);
-  const double lost = 10 * std::cos(above) * (0.6 - 0.3) / 60;
+  const double lost = steps_to_slide(0.65) * 10 * std::cos(above) * (0.6 - 0.3) / 60;
   CHECK(velocity_after(block_on_slope(above, two_coefficients), 60, wide()).x() ==
         doctest::Approx(10 * (std::sin(above) - 0.3 * std::cos(above)) - lost).epsilon(1e-5));
 }
@@ -100,7 +107,7 @@ TEST_CASE("a block that is thrown slides at mu g, stops, and then sticks with mu
   pull(7);  // over mu_s
   take_steps(world, solver, 60);
   const double speed = velocity_of(world, {1}).x();
-  CHECK(speed == doctest::Approx(7 - 3 - 0.3 * 10 / 60).epsilon(1e-6));
+  CHECK(speed == doctest::Approx(7 - 3 - steps_to_slide(0.7) * 0.3 * 10 / 60).epsilon(1e-6));
   pull(5);  // under mu_s, but it slides
   take_steps(world, solver, 60);
   CHECK(velocity_of(world, {1}).x() == doctest::Approx(speed + 5 - 3).epsilon(1e-6));
@@ -111,7 +118,7 @@ TEST_CASE("a slope that is tilted slowly lets go at atan(mu_s)") {
   SequentialImpulse<double> solver({.iterations = 60});
   const double rate = 0.1;  // [rad/s]
   int step = 0;
-  for (; std::abs(velocity_of(world, {1}).x()) < 0.1 && step < 600; ++step) {
+  for (; std::abs(velocity_of(world, {1}).x()) < 1e-3 && step < 600; ++step) {
     const double angle = rate * step / 60;
     world.edit([&](Scene& edited) {
       SceneSettings settings = edited.settings();
@@ -120,7 +127,7 @@ TEST_CASE("a slope that is tilted slowly lets go at atan(mu_s)") {
     });
     take_steps(world, solver, 1);
   }
-  // It takes a few steps to 0.1 m/s at the acceleration of (0.6 - 0.3) g cos, and one turns by 0.0017 rad.
+  // It reaches 1 mm/s 0.04 s later, when the slope has turned by 0.004.
   CHECK(rate * step / 60 == doctest::Approx(std::atan(0.6)).epsilon(0.02));
 }
 
@@ -151,6 +158,23 @@ TEST_CASE("static friction holds tiny and huge blocks, heavy on light, and in fl
       CHECK(std::abs(pose_of(single, {2}).position.x()) <= 1e-2 * size);
     }
   }
+}
+
+TEST_CASE("a stack sticks on a slope between its two coefficients, however few sweeps a step has") {
+  const double angle = std::atan(0.45);
+  Scene scene({.gravity = {10 * std::sin(angle), -10 * std::cos(angle)}});
+  scene.add_ground({.material = two_coefficients});
+  for (int i = 0; i < 4; ++i)
+    scene.add({.shapes = {box(3, 0.4)}, .position = {0, 0.2 + 0.4 * i}, .material = two_coefficients});
+  const auto check = [&](Solver<double>&& solver) {
+    World<double> world(scene);
+    take_steps(world, solver, 300);
+    CHECK(std::abs(pose_of(world, {4}).position.x()) <= 0.005);
+  };
+  check(SequentialImpulse<double>({.iterations = 10}));
+  check(SparseProjectedGaussSeidel<double>({.iterations = 10}));
+  check(WideSequentialImpulse<double>({.iterations = 10}));
+  check(NewtonSolver<double>({.iterations = 20}));
 }
 
 TEST_CASE("a disc that rolls is slowed by mu_r g r / (r^2 + I/m), under every solver") {
@@ -193,43 +217,6 @@ TEST_CASE("rolling resistance stops a disc for good, and gives no row to what li
   CHECK(problem_after(rolling_disc(0, 0), 1).rolling_resistance.empty());
 }
 
-TEST_CASE("what two surfaces have in common follows by the rule of the scene, or is that of the pair") {
-  const Material one = {.friction = 0.2, .static_friction = 0.4, .restitution = 0.25};
-  const Material other = {.friction = 0.8, .restitution = 0.5};
-  const auto of = [&](MixingRule rule) { return mixed({rule, rule}, {1}, one, {2}, other); };
-  CHECK(of(MixingRule::geometric_mean).friction == doctest::Approx(0.4));
-  CHECK(of(MixingRule::geometric_mean).static_friction == doctest::Approx(std::sqrt(0.32)));
-  CHECK(of(MixingRule::minimum).friction == 0.2);
-  CHECK(of(MixingRule::average).friction == doctest::Approx(0.5));
-  CHECK(of(MixingRule::maximum).restitution == 0.5);
-  CHECK(of(MixingRule::product).restitution == doctest::Approx(0.125));
-  Mixing mixing;
-  mixing.pairs = {{.a = {{1}, {3}}, .b = {{2}}, .friction = 0.1, .restitution = 0}};
-  CHECK(mixed(mixing, {2}, other, {3}, one).friction == 0.1);
-  CHECK(mixed(mixing, {1}, one, {2}, other).static_friction == 0.1);
-  CHECK(mixed(mixing, {2}, other, {3}, one).restitution == 0);
-  CHECK(mixed(mixing, {1}, one, {3}, other).friction == doctest::Approx(0.4));
-}
-
-TEST_CASE("a scene with a rule or a pair slides and rebounds by it") {
-  const auto speed = [](const Mixing& mixing) {
-    Scene scene;
-    scene.add_ground({.material = {.friction = 0.1, .restitution = 0}});
-    scene.add(
-        {.shapes = {box(1, 0.5)}, .position = {0, 0.25}, .velocity = {5, 0}, .material = {.friction = 0.4}});
-    SceneSettings settings = scene.settings();
-    settings.mixing = mixing;
-    scene.set_settings(settings);
-    return velocity_after(scene, 30, sweeps()).x();
-  };
-  CHECK(speed({}) == doctest::Approx(5 - 0.2 * 5).epsilon(sums));
-  CHECK(speed({.friction = MixingRule::minimum}) == doctest::Approx(5 - 0.1 * 5).epsilon(sums));
-  CHECK(speed({.friction = MixingRule::maximum}) == doctest::Approx(5 - 0.4 * 5).epsilon(sums));
-  Mixing ice;
-  ice.pairs = {{.a = {ground}, .b = {{1}}, .friction = 0}};
-  CHECK(speed(ice) == doctest::Approx(5).epsilon(sums));
-}
-
 TEST_CASE("a scene plans for no more of this than it has, and says so") {
   const Plan plain = make_plan(block_on_slope(0, {}));
   CHECK_FALSE(plain.extras.static_friction);
@@ -249,29 +236,6 @@ TEST_CASE("a scene plans for no more of this than it has, and says so") {
   one_rubs.add({.shapes = {circle(1)}, .position = {0, 1}});
   CHECK(make_plan(one_rubs).friction);
   CHECK(explain(make_plan(one_rubs)).find("mixing") != std::string::npos);
-}
-
-TEST_CASE("surfaces out of range are refused by name") {
-  Scene scene;
-  scene.add_ground();
-  const auto add = [&scene](const Material& material) {
-    scene.add({.shapes = {circle(1)}, .material = material});
-  };
-  CHECK_THROWS_WITH_AS(add({.friction = 0.5, .static_friction = 0.4}),
-                       "Scene::add: static_friction must be from friction, 0.5, to 1e6, got 0.4",
-                       std::invalid_argument);
-  CHECK_THROWS_WITH_AS(add({.rolling_resistance = -1}),
-                       "Scene::add: rolling_resistance must be >= 0 m and finite, got -1",
-                       std::invalid_argument);
-  CHECK_THROWS_AS(add({.static_friction = std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
-  const auto set = [&scene](const PairMaterial& pair) {
-    SceneSettings settings = scene.settings();
-    settings.mixing.pairs = {pair};
-    scene.set_settings(settings);
-  };
-  CHECK_THROWS_AS(set({.a = {ground}, .b = {{7}}, .friction = 1}), std::invalid_argument);
-  CHECK_THROWS_AS(set({.a = {}, .b = {ground}, .friction = 1}), std::invalid_argument);
-  CHECK_THROWS_AS(set({.a = {ground}, .b = {ground}, .restitution = 2}), std::invalid_argument);
 }
 
 TEST_CASE("who slides is known to a copy and after an edit, bit by bit") {
