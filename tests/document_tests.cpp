@@ -71,7 +71,7 @@ TEST_CASE("the page on extending fits on two screens, and shows code of compiled
   CHECK(listings == 2);
 }
 
-TEST_CASE("the step that README has one read is ten files of less than 1500 lines together") {
+TEST_CASE("the step that README has one read is ten files of less than 1600 lines together") {
   const std::regex linked(R"(\]\((src/[^)]+)\))");
   std::set<std::string> files;
   bool is_list = false;
@@ -85,5 +85,5 @@ TEST_CASE("the step that README has one read is ten files of less than 1500 line
   CHECK(files.size() == 10);
   int lines = 0;
   for (const std::string& file : files) lines += document_lines(document_root / file).size();
-  CHECK(lines < 1500);
+  CHECK(lines < 1600);
 }

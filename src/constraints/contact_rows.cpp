@@ -155,30 +155,6 @@ void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real thresh
 }
 
 template <Scalar Real>
-bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real kinetic, Real load) {
-  const Vec2<Real> point = middle_of(contact.manifold), tangent = -perpendicular(contact.manifold.normal);
-  ConstraintRow<Real> row;
-  row.a = contact.a;
-  row.b = contact.b;
-  row.jacobian_a = jacobian_of_a(contact, point, tangent);
-  row.jacobian_b = jacobian_of_b(contact, point, tangent);
-  const Real speed = row_velocity(problem, row) - surface_speed(contact, problem);
-  return std::abs(speed) > kinetic * load * inverse_effective_mass(problem, row);
-}
-
-template <Scalar Real>
-bool comes_sliding(const Contact<Real>& contact, const VelocityProblem<Real>& problem,
-                   const PerBody<Vec3<Real>>& velocity) {
-  const Vec2<Real> point = middle_of(contact.manifold), normal = contact.manifold.normal;
-  const auto speed_along = [&](const Vec2<Real>& way) {
-    return dot(jacobian_of_a(contact, point, way), velocity[contact.a]) +
-           dot(jacobian_of_b(contact, point, way), velocity[contact.b]);
-  };
-  const Real sliding = speed_along(-perpendicular(normal)) - surface_speed(contact, problem);
-  return std::abs(sliding) > contact.friction * std::abs(speed_along(normal));
-}
-
-template <Scalar Real>
 void add_contact_blocks(VelocityProblem<Real>& problem, int& next) {
   for (const Contact<Real>& contact : problem.contacts) {
     const int count = contact_row_count(contact, problem);
@@ -219,18 +195,12 @@ void write_contact_rows(VelocityProblem<Real>& problem, List<SecondRow<Real>>* s
 
 template int contact_row_count(const Contact<float>&, const VelocityProblem<float>&);
 template void meet(Contact<float>&, const PerBody<Vec3<float>>&, float, const VelocityProblem<float>&);
-template bool slides(const Contact<float>&, const VelocityProblem<float>&, float, float);
-template bool comes_sliding(const Contact<float>&, const VelocityProblem<float>&,
-                            const PerBody<Vec3<float>>&);
 template void add_contact_blocks(VelocityProblem<float>&, int&);
 template void write_contact_rows(const Contact<float>&, VelocityProblem<float>&, int&,
                                  List<SecondRow<float>>*);
 template void write_contact_rows(VelocityProblem<float>&, List<SecondRow<float>>*);
 template int contact_row_count(const Contact<double>&, const VelocityProblem<double>&);
 template void meet(Contact<double>&, const PerBody<Vec3<double>>&, double, const VelocityProblem<double>&);
-template bool slides(const Contact<double>&, const VelocityProblem<double>&, double, double);
-template bool comes_sliding(const Contact<double>&, const VelocityProblem<double>&,
-                            const PerBody<Vec3<double>>&);
 template void add_contact_blocks(VelocityProblem<double>&, int&);
 template void write_contact_rows(const Contact<double>&, VelocityProblem<double>&, int&,
                                  List<SecondRow<double>>*);

@@ -45,17 +45,6 @@ template <Scalar Real>
 void meet(Contact<Real>& contact, const PerBody<Vec3<Real>>& before, Real threshold,
           const VelocityProblem<Real>& problem);
 
-/// Whether the surfaces of a contact slide at the velocities of its problem, where its normal rows gave
-/// `load` [N s]: faster than friction of `kinetic`, mu, could stop within a substep. It tells what sweeps
-/// have left undone from what slides, and vanishes with dt.
-template <Scalar Real>
-bool slides(const Contact<Real>& contact, const VelocityProblem<Real>& problem, Real kinetic, Real load);
-/// Whether surfaces that have not touched yet come in sliding at these velocities: by the same rule, with
-/// what the impact loads them with.
-template <Scalar Real>
-bool comes_sliding(const Contact<Real>& contact, const VelocityProblem<Real>& problem,
-                   const PerBody<Vec3<Real>>& velocity);
-
 /// Puts a block for each contact of the problem behind its blocks. `next` is the row behind theirs; it goes
 /// on behind those of the contacts.
 template <Scalar Real>

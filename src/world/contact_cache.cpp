@@ -24,11 +24,6 @@ bool strikes(const Contact<Real>& contact) {
   return contact.rigid[0] || (contact.manifold.count > 1 && contact.rigid[1]);
 }
 
-PairSurface surface_between(const Scene& scene, BodyId a, BodyId b) {
-  return mixed(scene.settings().mixing, a, scene.bodies()[a].spec.material, b,
-               scene.bodies()[b].spec.material);
-}
-
 }  // namespace
 
 template <Scalar Real>
@@ -100,35 +95,6 @@ void ContactCache<Real>::remember(const Plan& plan, const StepRecord<Real>& reco
   }
 }
 
-/// What sticks may have its static coefficient: contacts come with that of sliding.
-template <Scalar Real>
-void ContactCache<Real>::choose_friction(const Substep<Real>& step, VelocityProblem<Real>& problem) {
-  for (int i = 0; i < problem.contacts.size(); ++i) {
-    Contact<Real>& contact = problem.contacts[i];
-    CachedContact<Real>& cached = graph_[touching_[i]];
-    if (cached.impulses.count == 0) cached.slides = comes_sliding(contact, problem, step.state.velocity);
-    if (!cached.slides)
-      contact.friction = static_cast<Real>(surface_between(step.scene, contact.a, contact.b).static_friction);
-  }
-}
-
-/// Keeps which contacts slide, for the next substep.
-template <Scalar Real>
-void ContactCache<Real>::remember_sliding(const VelocityProblem<Real>& problem) {
-  const int joints = problem.joint_blocks();
-  for (int i = 0; i < problem.contacts.size(); ++i) {
-    const RowBlock& block = problem.blocks[joints + i];
-    const Contact<Real>& contact = problem.contacts[i];
-    Real load = 0;
-    for (int k = 0; k < block.count; ++k) {
-      const std::uint64_t part = contact_part(contact.manifold, block.count, k);
-      if (is_normal_part(part)) load += problem.impulse[block.first + k];
-    }
-    CachedContact<Real>& cached = graph_[touching_[i]];
-    cached.slides = slides(contact, problem, cached.friction, load);
-  }
-}
-
 template <Scalar Real>
 void ContactCache<Real>::carry_over(const ContactCache& before, Span<const int> numbers,
                                     const Substep<Real>& step) {
@@ -174,7 +140,7 @@ CachedContact<Real> ContactCache<Real>::make_contact(const Substep<Real>& step, 
   cached.friction = static_cast<Real>(of_a.friction_root * of_b.friction_root);
   cached.restitution = static_cast<Real>(std::max(spec_a.material.restitution, spec_b.material.restitution));
   if (!step.scene.settings().mixing.is_usual()) {
-    const PairSurface surface = surface_between(step.scene, a, b);
+    const PairSurface surface = mixed(step.scene.settings().mixing, a, spec_a.material, b, spec_b.material);
     cached.friction = static_cast<Real>(surface.friction);
     cached.restitution = static_cast<Real>(surface.restitution);
   }
