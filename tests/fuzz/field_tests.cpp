@@ -95,6 +95,49 @@ TEST_CASE("every number of the settings of a scene is refused by name where it c
   CHECK_THROWS_AS(Scene({.substeps = 1000001}), std::invalid_argument);
 }
 
+TEST_CASE("every number of a field, a force and a path is refused by name where it cannot be") {
+  using S = SceneSettings;
+  const auto with_water = [](const std::function<void(Water&, double)>& set) {
+    return with_settings([set](S& s, double x) { set(s.fields.water.emplace(), x); });
+  };
+  const auto with_star = [](const std::function<void(Attraction&, double)>& set) {
+    return with_settings([set](S& s, double x) { set(s.fields.attractions.emplace_back(), x); });
+  };
+  const auto with_force = [](const std::function<void(ApplyForce&, double)>& set) {
+    return [set](double value) {
+      Scene scene;
+      ApplyForce pull{.body = scene.add({.shapes = {circle(1)}})};
+      set(pull, value);
+      scene.add({.time = 0, .action = pull});
+    };
+  };
+  const auto with_path = [](const std::function<void(FollowPath&, double)>& set) {
+    return [set](double value) {
+      Scene scene;
+      FollowPath path{.body = scene.add({.type = BodyType::kinematic}), .points = {{0, 0}, {1, 0}}};
+      set(path, value);
+      scene.add({.time = 0, .action = path});
+    };
+  };
+  check_fields({
+      {"wind", with_settings([](S& s, double x) { s.fields.wind.x() = x; })},
+      {"gravitation", with_settings([](S& s, double x) { s.fields.gravitation = x; }), negative},
+      {"attraction.point", with_star([](Attraction& star, double x) { star.point.y() = x; })},
+      {"attraction.strength", with_star([](Attraction& star, double x) { star.strength = x; })},
+      {"attraction.radius", with_star([](Attraction& star, double x) { star.radius = x; }), negative},
+      {"water.level", with_water([](Water& water, double x) { water.level = x; })},
+      {"water.density", with_water([](Water& water, double x) { water.density = x; }), not_positive},
+      {"water.drag", with_water([](Water& water, double x) { water.drag = x; }), negative},
+      {"water.flow", with_water([](Water& water, double x) { water.flow.x() = x; })},
+      {"force", with_force([](ApplyForce& pull, double x) { pull.force.x() = x; })},
+      {"torque", with_force([](ApplyForce& pull, double x) { pull.torque = x; })},
+      {"point", with_force([](ApplyForce& pull, double x) { pull.point.y() = x; })},
+      {"seconds", with_force([](ApplyForce& pull, double x) { pull.seconds = x; }), {0, -1}},
+      {"points", with_path([](FollowPath& path, double x) { path.points[1].y() = x; })},
+      {"speed", with_path([](FollowPath& path, double x) { path.speed = x; }), not_positive},
+  });
+}
+
 TEST_CASE("every number of a pin, a slide and a weld is refused by name where it cannot be") {
   using Pin = RevoluteJoint;
   using Slide = PrismaticJoint;
@@ -223,15 +266,18 @@ TEST_CASE("bounds of a frozen row that only huge impulses keep are refused by na
 
 TEST_CASE("whoever gives a type another field is reminded of the tables above") {
   // These lines compile for as many fields as there are names.
-  const auto& [gravity, dt, substeps, stabilization, warm_start, search, margin, threshold, rows, sleeping] =
-      SceneSettings{};
+  const auto& [gravity, fields, dt, substeps, stabilization, warm_start, search, margin, threshold, rows,
+               mixing, impacts, sleeping] = SceneSettings{};
+  const auto& [wind, water, attractions, gravitation] = fields;
+  const auto& [level, water_density, water_drag, flow] = Water{};
+  const auto& [point, strength, radius] = Attraction{};
   const auto& [policy, baumgarte, slop, max_speed, soft, joint_soft] = stabilization;
   const auto& [iterations, tolerance, budget, order, seed, relaxation, patience] = SolverSettings{};
   const auto& [type, shapes, position, angle, velocity, turning, mass, inertia, density, material, damping,
                scale, fixed, sensor, filter] = BodySpec{};
-  const auto& [friction, rebound, running] = material;
-  const auto& [drag, turning_drag] = damping;
-  const auto& [category, collides] = filter;
+  const auto& [friction, held, rebound, rolling, running] = material;
+  const auto& [drag, turning_drag, air_drag] = damping;
+  const auto& [category, collides, one_way] = filter;
   CHECK(substeps == 1);
   CHECK_FALSE(max_speed);
   CHECK(iterations == 10);
@@ -240,5 +286,8 @@ TEST_CASE("whoever gives a type another field is reminded of the tables above") 
   CHECK(friction > rebound);
   CHECK(running == 0);
   CHECK(drag == turning_drag);
+  CHECK(air_drag == rolling);
+  CHECK(water_density > radius);
+  CHECK(gravitation == strength);
   CHECK(category != collides);
 }

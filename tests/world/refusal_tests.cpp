@@ -118,7 +118,8 @@ TEST_CASE("a field of a body, of settings or of a ground that cannot be is refus
        {"restitution", share, of(&BodySpec::material, &Material::restitution), {-0.1, 1.0001}},
        {"surface_speed", "a finite number of m/s", of(&BodySpec::material, &Material::surface_speed)},
        {"linear_damping", ">= 0 1/s and finite", of(&BodySpec::damping, &Damping::linear), {-0.1}},
-       {"angular_damping", ">= 0 1/s and finite", of(&BodySpec::damping, &Damping::angular), {-0.1}}});
+       {"angular_damping", ">= 0 1/s and finite", of(&BodySpec::damping, &Damping::angular), {-0.1}},
+       {"drag", ">= 0 kg/m and finite", of(&BodySpec::damping, &Damping::quadratic), {-0.1}}});
   check_vector_refusals("Scene::add", {{"position", "finite numbers of m", of(&BodySpec::position)},
                                        {"velocity", "finite numbers of m/s", of(&BodySpec::velocity)}});
   using How = Stabilization;
