@@ -41,8 +41,8 @@ class EnergyAccount {
 /// is as good as infinitely heavy: nothing leaves it faster than it came by more than twice its speed.
 class Drive {
  public:
-  /// Of its motors, those that events will switch on, its kinematic bodies, surfaces that run, forces, wind and
-  /// flow.
+  /// Of its motors, those that events will switch on, its kinematic bodies, surfaces that run, forces, wind
+  /// and flow.
   explicit Drive(const Scene& scene);
   /// [J] The most that the bodies can have after `time` [s] in `steps` steps, if they had `energy` [J]
   /// without what drives them; infinite with a motor whose force nothing bounds.

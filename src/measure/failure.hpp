@@ -41,8 +41,8 @@ struct Failure {
 std::string failure_text(const Failure& failure, const PerBody<std::string>& names = {});
 
 /// Whether something in the scene may give energy to the rest: a body that moves by itself, a surface that
-/// runs, a motor, or an event that switches a motor on, a force, a path, wind or a flow. Springs give back what
-/// they held, which counts as potential energy.
+/// runs, a motor, or an event that switches a motor on, a force, a path, wind or a flow. Springs give back
+/// what they held, which counts as potential energy.
 bool is_driven(const Scene& scene);
 
 /// Looks at the snapshots of a run, one after the other, and keeps the first failure of each kind. Of

@@ -5,6 +5,7 @@
 
 #include <cairn/math/check.hpp>
 #include <cairn/reference/box2d_shapes.hpp>
+#include <cairn/world/plan.hpp>
 
 namespace cairn {
 
@@ -13,6 +14,16 @@ void check_event(const SceneEvent& event) {
   const auto* const change = std::get_if<ChangeBody>(&event.action);
   require(!change || !(change->surface_speed || change->sensor), "Box2DWorld", "event",
           "without surface_speed and sensor, which it takes over for good", "one of them");
+}
+
+void check_surfaces(const Scene& scene) {
+  const Plan plan = make_plan(scene);
+  require(!plan.extras.static_friction, "Box2DWorld", "static_friction",
+          "that of sliding, as Box2D has one coefficient", "more");
+  require(!plan.extras.impact_sequence, "Box2DWorld", "impacts", "at once, as Box2D has no other law",
+          "a sequence");
+  require(!plan.extras.rolling_resistance, "Box2DWorld", "rolling_resistance", "0, as Box2D 2.4.1 has none",
+          "more");
 }
 
 void check_strengths(const SceneJoints& joints) {

@@ -1,4 +1,4 @@
-// Floor 7. Events as Box2D takes them, and refusing those that it does not have.
+// Floor 7. Events as Box2D takes them, and refusing what it does not have.
 #pragma once
 
 #include <cairn/world/scene.hpp>
@@ -7,9 +7,11 @@ class b2Body;
 
 namespace cairn {
 
-/// @throws std::invalid_argument for one that waits for a touch, switches a motor, or changes a surface speed
-/// or a sensor.
+/// @throws std::invalid_argument for one that waits for a touch, or changes a surface speed or a sensor.
 void check_event(const SceneEvent& event);
+/// @throws std::invalid_argument for static friction above that of sliding, rolling resistance, and impacts
+/// that bodies pass on.
+void check_surfaces(const Scene& scene);
 /// @throws std::invalid_argument where one of them may break.
 void check_strengths(const SceneJoints& joints);
 

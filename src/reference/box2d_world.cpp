@@ -86,16 +86,6 @@ void check_contacts_of(const BodySpec& spec) {
           "of the first 16 bits, as Box2D 2.4.1 has no more", spec.filter.category);
 }
 
-void check_surfaces(const Scene& scene) {
-  const Plan plan = make_plan(scene);
-  require(!plan.extras.static_friction, "Box2DWorld", "static_friction",
-          "that of sliding, as Box2D has one coefficient", "more");
-  require(!plan.extras.impact_sequence, "Box2DWorld", "impacts", "at once, as Box2D has no other law",
-          "a sequence");
-  require(!plan.extras.rolling_resistance, "Box2DWorld", "rolling_resistance", "0, as Box2D 2.4.1 has none",
-          "more");
-}
-
 }  // namespace
 
 struct Box2DWorld::Simulation {

@@ -28,8 +28,8 @@ struct Box2DSettings {
 };
 
 /// A scene in Box2D 2.4.1, in single precision. `fast` means nothing to it. Masses, inertias and centres of
-/// mass are Cairn's, friction and restitution mix by the same rules, and damping has the same formula. Forces,
-/// fields and paths are Cairn's too, given to Box2D as velocities before its step.
+/// mass are Cairn's, friction and restitution mix by the same rules, and damping has the same formula.
+/// Forces, fields and paths are Cairn's too, given to Box2D as velocities before its step.
 /// Different are:
 /// - Polygons and segments carry a skin of 0.01 m, and shapes may sink 0.005 m into each other's skins: two
 ///   polygons rest 0.015 m apart, a circle 0.005 m above a polygon.

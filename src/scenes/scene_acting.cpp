@@ -33,7 +33,13 @@ List<SceneKey> scene_acting_keys() {
 
 namespace {
 
+void require_type(const SceneBuilder& builder, const SceneTable& table, BodyId body, BodyType type) {
+  if (builder.scene().bodies()[body].spec.type != type)
+    table.refuse("body", "the name of a " + word_of(type) + " body");
+}
+
 void add_force(SceneBuilder& builder, const SceneTable& table, BodyId body) {
+  require_type(builder, table, body, BodyType::dynamic);
   const Pose<double>& begins = builder.poses()[body];
   ApplyForce pull{.body = body};
   table.read(pull);
@@ -43,6 +49,7 @@ void add_force(SceneBuilder& builder, const SceneTable& table, BodyId body) {
 }
 
 void add_path(SceneBuilder& builder, const SceneTable& table, BodyId body) {
+  require_type(builder, table, body, BodyType::kinematic);
   FollowPath path{.body = body};
   table.read(path);
   const SceneBody& it = builder.scene().bodies()[body];

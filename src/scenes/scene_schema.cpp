@@ -16,9 +16,9 @@ namespace cairn {
 const List<SceneKey>& scene_keys() {
   static const List<SceneKey> keys = [] {
     List<SceneKey> all;
-    for (const auto& part :
-         {scene_top_keys, scene_step_keys, scene_recommended_keys, scene_body_keys, scene_pair_keys,
-          scene_motor_keys, scene_train_keys, scene_event_keys, scene_acting_keys, scene_block_keys, scene_hanging_keys}) {
+    for (const auto& part : {scene_top_keys, scene_step_keys, scene_recommended_keys, scene_body_keys,
+                             scene_pair_keys, scene_motor_keys, scene_train_keys, scene_event_keys,
+                             scene_acting_keys, scene_block_keys, scene_hanging_keys}) {
       for (const SceneKey& key : part()) {
         all.push_back(key);
         if (key.fallback.empty()) all.back().fallback = key.field.usual;

@@ -226,7 +226,8 @@ std::string explain(const Plan& plan) {
     text += line("rolling", "one row more where a body stands on one point: a moment resists");
   if (!plan.settings.mixing.is_usual()) text += line("mixing", mixing_text(plan.settings.mixing));
   if (plan.extras.impact_sequence) text += line("impacts", "one after the other, as bodies pass them on");
-  if (plan.extras.surface_speed) text += line("surfaces", "some run like belts: friction asks for their speed");
+  if (plan.extras.surface_speed)
+    text += line("surfaces", "some run like belts: friction asks for their speed");
   if (plan.extras.one_way)
     text += line("one-way", "some bodies hold off only what comes from their outer side");
   if (plan.extras.touches)

@@ -73,8 +73,8 @@ struct SceneSettings {
 
 /// How fast a body loses velocity where nothing touches it.
 struct Damping {
-  double linear = 0;   // [1/s]
-  double angular = 0;  // [1/s]
+  double linear = 0;     // [1/s]
+  double angular = 0;    // [1/s]
   double quadratic = 0;  // [kg/m] against the air, by this times the square of the speed: rho c_d A / 2
 
   /// Member by member.
@@ -159,9 +159,9 @@ class Scene {
   /// Something that is to happen while the scene runs: a world does it in its steps. It is forgotten where
   /// its body or joint is removed before, or all bodies whose touch it waits for; a count stays.
   /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
-  /// for impulses and forces on the ground and on what cannot move, for a path of a body that is not kinematic
-  /// or leads nowhere, for a motor or a body that change() refuses, for velocities of what is static, for a
-  /// touch of bodies of which none is dynamic, and for a count that waits for none.
+  /// for impulses and forces on the ground and on what cannot move, for a path of a body that is not
+  /// kinematic or leads nowhere, for a motor or a body that change() refuses, for velocities of what is
+  /// static, for a touch of bodies of which none is dynamic, and for a count that waits for none.
   void add(const SceneEvent& event);
   /// The same bodies and joints under other rules. @throws std::invalid_argument, and then changes nothing.
   void set_settings(const SceneSettings& settings);

@@ -100,7 +100,8 @@ void add_occurrences(const Scene& scene, const BodyState<Real>& state, Snapshot&
 
 Snapshot snapshot(const Scene& scene) {
   const SceneSettings& settings = scene.settings();
-  Snapshot result{.dt = settings.dt / settings.substeps, .gravity = settings.gravity, .fields = settings.fields};
+  Snapshot result{
+      .dt = settings.dt / settings.substeps, .gravity = settings.gravity, .fields = settings.fields};
   result.apart = scene.joints().apart();
   const BodyState<double> state = state_of<double>(scene);
   for (const BodyId body : scene.bodies().indices())

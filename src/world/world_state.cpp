@@ -196,7 +196,7 @@ void World<Real>::follow(SubstepTime time) {
 template <Scalar Real>
 void World<Real>::begin_step() {
   if (sleep_ && hand_.joint()) sleep_->wake(hand_.joint()->body());
-  if (may_leave_midway()) start_ = {state_.pose, state_.velocity};
+  if (may_leave_midway()) start_.pose = state_.pose, start_.velocity = state_.velocity;
   if (plan_->extras.one_way) contacts_.begin_step();
   if (plan_->watches()) watch_.begin();
 }

@@ -75,7 +75,7 @@ time = 1
 TEST_CASE(
     "a force or a path of \"row.*\" is one for each of the row, and lasts for ever from the beginning") {
   const Scene scene = read_scene_text(
-                          "[[row]]\nn = 3\nstep = [2, 0]\ncircle = 0.5\n"
+                          "[[row]]\nn = 3\nfirst = [0, 0]\nstep = [2, 0]\ncircle = 0.5\n"
                           "[[force]]\nbody = \"row.*\"\ntorque = 1\n",
                           "my.toml")
                           .make();
