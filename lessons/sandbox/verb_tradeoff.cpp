@@ -123,7 +123,7 @@ Verb tradeoff_verb() {
           "limit, or the worst overlap or gap, beside the thinner body. A run that fails, as cairn run says "
           "it, is no point; settings that take more than about half of real time are not followed further. "
           "Several scenes: what more sweeps of one solver buy in each. Level 3 is the "
-          "map of settings: 1472 of them in 74 scenes, each with its error and its counted work. It can be "
+          "map of settings: 1472 of them in 83 scenes, each with its error and its counted work. It can be "
           "stopped and taken up again.",
       .flags = joined_flags(
           {{"level", "1|2|3",
