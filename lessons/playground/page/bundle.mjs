@@ -37,7 +37,7 @@ const texts = Object.fromEntries(
 );
 const wasm = gzipSync(readFileSync(join(built, "cairn_playground.wasm")), { level: 9 }).toString("base64");
 const parts = {
-  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}</style>`,
+  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}${esbuild("plot.css")}</style>`,
   scripts: [
     script(JSON.stringify(texts).replaceAll("<", "\\u003c"), ' type="application/json" id="scenes"'),
     script(wasm, ' type="text/plain" id="wasm"'),
