@@ -23,7 +23,7 @@ restitution = 0.5
 name = "wall"
 type = "static"
 box = [1, 1]
-position = [4, 1]
+position = [4, 5]
 `;
 
 const run = async (tab, text) => {
@@ -79,7 +79,7 @@ async function checkBody(tab) {
   check((await points(tab)) === 1 && (await tab.isVisible("#plot")), "Restart begins the curve anew");
   await press(tab, 2);
   check((await tab.textContent("#plot-title")) === "wall", "another body, another plot");
-  check((await shown(tab)).join() === "1,0,0", "of one that stands still", (await shown(tab)).join());
+  check((await shown(tab)).join() === "5,0,0", "of one that stands still", (await shown(tab)).join());
   await tab.selectOption("#scene", "chain");
   check(!(await tab.isVisible("#plot")), "another scene has no plot yet");
 }

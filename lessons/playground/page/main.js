@@ -25,11 +25,11 @@ const makeCairn =
   );
 
 /** What the bundler has put into the page. @param {string} id */
-const packed = (id) => find(id, HTMLScriptElement).textContent ?? "";
+const unpacked = (id) =>
+  through(bytesOf(find(id, HTMLScriptElement).textContent ?? ""), new DecompressionStream("gzip"));
 
 async function loadCore() {
-  const wasmBinary = await through(bytesOf(packed("wasm")), new DecompressionStream("gzip"));
-  return new Core(await makeCairn({ wasmBinary }));
+  return new Core(await makeCairn({ wasmBinary: await unpacked("wasm") }));
 }
 
 /**
@@ -193,7 +193,8 @@ async function followAddress(app) {
 async function begin() {
   const core = await loadCore();
   if (!core.draw()) throw new Error(core.refusal()); // a browser without WebGL2
-  const app = new App(core, sceneFiles(JSON.parse(packed("scenes"))));
+  const scenes = JSON.parse(new TextDecoder().decode(await unpacked("scenes")));
+  const app = new App(core, sceneFiles(scenes));
   const tools = new Tools(app);
   setUpTheme(app);
   setUpScenes(app);

@@ -64,6 +64,7 @@ class Panel {
   #first = make("span");
   #last = make("span");
   #line;
+  #dot;
 
   /** @param {Curve} curve */
   constructor(curve) {
@@ -72,8 +73,11 @@ class Panel {
     picture.setAttribute("viewBox", `0 0 ${box} ${box}`);
     picture.setAttribute("preserveAspectRatio", "none");
     picture.setAttribute("aria-hidden", "true");
-    this.#line = document.createElementNS("http://www.w3.org/2000/svg", "path");
-    picture.append(this.#line);
+    const path = () => document.createElementNS("http://www.w3.org/2000/svg", "path");
+    this.#line = path();
+    this.#dot = path();
+    this.#dot.setAttribute("class", "now");
+    picture.append(this.#line, this.#dot);
     this.element = make(
       "div",
       { className: "curve" },
@@ -97,16 +101,17 @@ class Panel {
     this.#first.textContent = `${begin.toFixed(2)} s`;
     this.#last.textContent = `${(begin + span).toFixed(2)} s`;
     let path = "";
-    let isDrawing = false;
+    let dot = "";
     times.forEach((time, i) => {
       const x = (box * (time - begin)) / span;
       const y = box - (box * (values[i] - from)) / (to - from);
       const isThere = Number.isFinite(x) && Number.isFinite(y);
-      if (isThere) path += `${isDrawing ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`;
-      isDrawing = isThere;
+      const point = isThere ? `${x.toFixed(1)} ${y.toFixed(1)}` : "";
+      if (isThere) path += (dot ? "L" : "M") + point;
+      dot = isThere ? `M${point}h0` : "";
     });
-    if (isDrawing) path += "h0"; // so that the first step alone is a dot
     this.#line.setAttribute("d", path);
+    this.#dot.setAttribute("d", dot); // of no length, with round ends
   }
 }
 
@@ -153,5 +158,8 @@ export function setUpPlot(app) {
   const update = () => plot.update();
   app.follow(update);
   app.followPictures(update);
-  button("plot-close").addEventListener("click", () => app.choose());
+  button("plot-close").addEventListener("click", () => {
+    app.choose();
+    update();
+  });
 }
