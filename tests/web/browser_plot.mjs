@@ -20,10 +20,9 @@ circle = 0.5
 position = [0, 6]
 restitution = 0.5
 [[body]]
-name = "wall"
-type = "static"
+name = "brick"
 box = [1, 1]
-position = [4, 5]
+position = [1.5, 0.5]
 `;
 
 const run = async (tab, text) => {
@@ -78,8 +77,8 @@ async function checkBody(tab) {
   await drawn(tab);
   check((await points(tab)) === 1 && (await tab.isVisible("#plot")), "Restart begins the curve anew");
   await press(tab, 2);
-  check((await tab.textContent("#plot-title")) === "wall", "another body, another plot");
-  check((await shown(tab)).join() === "5,0,0", "of one that stands still", (await shown(tab)).join());
+  check((await tab.textContent("#plot-title")) === "brick", "another body, another plot");
+  check((await shown(tab)).join() === "0.5,0,0", "which stands still", (await shown(tab)).join());
   await tab.selectOption("#scene", "chain");
   check(!(await tab.isVisible("#plot")), "another scene has no plot yet");
 }
