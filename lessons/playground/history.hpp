@@ -22,8 +22,8 @@ class History {
   /// Of each, the oldest first: time [s], height of the centre of mass [m], speed [m/s], angular velocity
   /// [rad/s]. NaN where the body was not there.
   List<double> of_body(BodyId body) const;
-  /// Of each, the oldest first: time [s], and the size of what contacts and joints gave b from a [N]: the mean
-  /// over the step's last substep.
+  /// Of each, the oldest first: time [s], and the size of the force of contacts and joints between them [N],
+  /// the mean over the step's last substep.
   List<double> of_pair(BodyId a, BodyId b) const;
 
  private:
