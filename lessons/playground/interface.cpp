@@ -126,6 +126,15 @@ const double* cairn_bodies(void) {
 int cairn_body_count(void) {
   return guarded(0, [](Session& now) { return now.playground.bench(0).scene().bodies().size(); });
 }
+const double* cairn_body_history(int body) {
+  return listed(no_numbers, [&](const Playground& p) { return p.history().of_body({body}); });
+}
+const double* cairn_pair_history(int body_a, int body_b) {
+  return listed(no_numbers, [&](const Playground& p) { return p.history().of_pair({body_a}, {body_b}); });
+}
+int cairn_history_count(void) {
+  return guarded(0, [](Session& now) { return now.playground.history().size(); });
+}
 const char* cairn_body_name(int body) {
   static const std::string nobody;
   return told([&](const Playground& p) -> const std::string& {

@@ -75,6 +75,14 @@ int cairn_undo(void);
 const double* cairn_bodies(void);
 /** Their number. */
 int cairn_body_count(void);
+/** What a body did at each step that can be taken back, and now, the oldest first: time [s], height of its centre of mass
+ *  [m], speed [m/s], angular velocity [rad/s]; NaN where it was not there. */
+const double* cairn_body_history(int body);
+/** What two bodies gave each other then by contacts and joints: time [s], size of the force [N], a mean over the step's last
+ *  substep. */
+const double* cairn_pair_history(int body_a, int body_b);
+/** How many steps both have. */
+int cairn_history_count(void);
 /** What a body is called. */
 const char* cairn_body_name(int body);
 

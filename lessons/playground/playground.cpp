@@ -98,6 +98,8 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   forces_ = {};
   step_seconds_ = 0;
   checkpoints_.clear();
+  history_ = History(most_steps_back);
+  history_.keep(first_);
   forget_solve();
   looks_ = std::move(looks);
 }
@@ -169,6 +171,7 @@ void Playground::take_step() {
       if (i > 0) continue;
       step_seconds_ = took;
       has_diverged_ = report.not_finite.has_value();
+      history_.keep(benches_[0]->snapshot());
     }
   });
 }

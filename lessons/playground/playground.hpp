@@ -12,6 +12,7 @@
 #include <cairn/math/list.hpp>
 #include "lessons/playground/bench.hpp"
 #include "lessons/playground/controls.hpp"
+#include "lessons/playground/history.hpp"
 #include <cairn/scenes/scene_list.hpp>
 
 namespace cairn::playground {
@@ -107,6 +108,8 @@ class Playground {
   /// Of all rows, and a quarter more than that of their ends: now, or since the start unless that was more
   /// than four times as much. For a scale that stands still.
   ForceRange forces() const;
+  /// What the first world did at the steps that can be taken back, and now.
+  const History& history() const { return history_; }
   /// What has changed, in a sentence.
   const std::string& words() const { return words_; }
 
@@ -153,6 +156,7 @@ class Playground {
   Snapshot first_;
   PerBody<std::string> names_;
   std::deque<Moment> checkpoints_;
+  History history_{most_steps_back};
   double since_checkpoint_ = 0;  // [s] of computing
   List<Change> changes_;
   mutable List<SolveLook> looks_;

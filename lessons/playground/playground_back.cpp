@@ -33,6 +33,7 @@ void Playground::all_or_nothing(const std::function<void()>& act) {
     ends_ = std::move(ends);
     const int steps = benches_[0]->steps();
     while (!checkpoints_.empty() && checkpoints_.back().benches[0]->steps() > steps) checkpoints_.pop_back();
+    history_.keep(benches_[0]->snapshot());
     throw;
   }
 }
@@ -94,6 +95,7 @@ void Playground::return_to(const Moment& moment, Benches benches) {
   names_ = moment.names;
   controls_ = moment.controls;
   has_diverged_ = false;
+  history_.keep(benches_[0]->snapshot());
   forget_solve();
   looks_ = std::move(looks);
   while (changes_.size() > changes) changes_.pop_back();  // the moment may go with them

@@ -81,6 +81,7 @@ void Playground::edit(const std::string& addition, const std::string& words,
   forget_solve();
   looks_ = std::move(looks);
   keep_now();
+  history_.keep(benches_[0]->snapshot());
   words_ = words;
 }
 

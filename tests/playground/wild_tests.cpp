@@ -102,6 +102,11 @@ void tell_all(Chance& c) {
   const int rows = cairn_row_count();
   const double* of_rows = cairn_rows();
   for (int i = 0; i < 6 * rows; ++i) sum += of_rows[i];
+  const int steps = cairn_history_count();
+  const double* of_body = cairn_body_history(c.index());
+  for (int i = 0; i < 4 * steps; ++i) sum += of_body[i];
+  const double* of_pair = cairn_pair_history(c.index(), c.index());
+  for (int i = 0; i < 2 * steps; ++i) sum += of_pair[i];
   for (int i = 0; i < 15; ++i) sum += cairn_numbers()[i];
   for (int i = 0; i < 4; ++i) sum += cairn_at(c.number(), 100 * c.number())[i];
   for (int i = 0; i < 2; ++i) sum += cairn_place(c.number(), c.number())[i];

@@ -11,6 +11,8 @@ import { checkGiven } from "./browser_given.mjs";
 import { checkLife } from "./browser_life.mjs";
 import { checkLooks } from "./browser_looks.mjs";
 import { checkMouse } from "./browser_mouse.mjs";
+import { checkPlot } from "./browser_plot.mjs";
+import { checkStill } from "./browser_still.mjs";
 import { checkWays } from "./browser_ways.mjs";
 
 const { chromium } = createRequire(join(process.cwd(), "web"))("playwright-core");
@@ -34,6 +36,8 @@ try {
   await checkGiven(browser);
   await checkLife(browser);
   await checkMouse(browser);
+  await checkPlot(browser);
+  await checkStill(browser);
   await checkWays(browser);
   await checkLooks(browser);
 } catch (error) {

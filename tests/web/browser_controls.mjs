@@ -67,6 +67,14 @@ const controls = {
   "tool-box": { holds: () => document.getElementById("tool-box").checked },
   "tool-remove": { holds: () => document.getElementById("tool-remove").checked },
   "tool-pin": { holds: () => document.getElementById("tool-pin").checked },
+  "plot-close": {
+    before: async (tab) => {
+      await tab.focus("#cairn");
+      await tab.keyboard.press("ArrowRight");
+      await tab.waitForSelector("#plot:not([hidden])");
+    },
+    holds: () => document.getElementById("plot").hidden,
+  },
   undo: { before: edit, holds: () => cairn.bodies().length === 11 },
   answer: {
     before: press("#question-try"),

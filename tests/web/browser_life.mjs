@@ -93,7 +93,7 @@ async function checkHidden(tab) {
       document.dispatchEvent(new Event("visibilitychange"));
     }, isHidden);
   await tab.waitForFunction(() => cairn.numbers().steps > 2);
-  check(true, "without a wish for less motion the page begins to run");
+  check(true, "without an address, and without a wish for less motion, the page begins to run");
   await hide(true);
   const { steps } = await numbers(tab);
   await tab.waitForTimeout(300);
@@ -184,12 +184,12 @@ export async function checkLife(browser) {
   await inTab(browser, "address", scene, checkAddress);
   await inTab(browser, "given address", scene, checkGivenAddress);
   await inTab(browser, "embedded", { hash: "#scene=stack&sweeps=4&warm=on&embed=1" }, checkEmbedded);
-  await inTab(browser, "hidden", { ...scene, context: { reducedMotion: "no-preference" } }, checkHidden);
+  await inTab(browser, "hidden", { context: { reducedMotion: "no-preference" } }, checkHidden);
   await inTab(browser, "saving", scene, checkSaving);
   await inTab(browser, "diverged", scene, checkDiverged);
   await inTab(browser, "without drawing", scene, checkWithoutDrawing);
   await inTab(browser, "theme", { ...scene, context: { colorScheme: "light" } }, checkTheme);
-  const { context, tab } = await open(browser, "#scene=stack");
+  const { context, tab } = await open(browser);
   check((await tab.textContent("#run")) === "Run", "who wishes for less motion finds a world at rest");
   await context.close();
 }

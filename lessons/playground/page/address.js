@@ -7,6 +7,7 @@ import { excerpt } from "./words.js";
  * @property {string | null} text the scene file, where it was edited
  * @property {number} at the step to begin at, paused; 0: none
  * @property {boolean} isEmbedded
+ * @property {boolean} isGiven there is one at all
  * @property {Map<string, string>} settings
  * @property {string} trouble what of it is left out, and why; "" where nothing is
  */
@@ -85,13 +86,14 @@ export async function readAddress(hash, mostText) {
     text,
     at: isStep ? Number(step) : 0,
     isEmbedded,
+    isGiven: hash.length > 1,
     settings: new Map(words),
     trouble,
   };
 }
 
 /**
- * @param {Omit<Address, "trouble">} address
+ * @param {Omit<Address, "trouble" | "isGiven">} address
  * @returns {Promise<string>} with "#"
  */
 export async function writeAddress(address) {

@@ -12,6 +12,8 @@ export class App {
   scenes;
   /** The name of the scene that is open. */
   scene = "";
+  /** What is plotted: a body, or two and the force between them. @type {number[]} */
+  chosen = [];
   /** @type {(() => void)[]} */
   #followers = [];
   /** @type {(() => void)[]} */
@@ -73,6 +75,12 @@ export class App {
     return this.act(task);
   }
 
+  /** Plots a body, or what is between two; without any, nothing. @param {number[]} bodies */
+  choose(...bodies) {
+    this.chosen = bodies;
+    this.player.wake();
+  }
+
   /** Something may look different now. */
   changed() {
     const rate = this.core.settings().find((setting) => setting.name === "rate");
@@ -107,13 +115,13 @@ export class App {
     if (this.player.target > 0) this.player.pause();
     const file = this.scenes.find((scene) => scene.name === name) ?? this.scenes[0];
     const isOpened = this.core.open(text ?? file.text, file.name);
-    if (isOpened) this.scene = file.name;
+    if (isOpened) [this.scene, this.chosen] = [file.name, []];
     return isOpened;
   }
 
-  /** From the start once more; not on to a step that it was going to. */
+  /** To the start once more, to stand still there. */
   restart() {
-    if (this.player.target > 0) this.player.pause();
+    this.player.pause();
     return this.core.restart();
   }
 

@@ -35,11 +35,12 @@ const texts = Object.fromEntries(
     .sort()
     .map((name) => [basename(name, ".toml"), readFileSync(join(scenes, name), "utf8")]),
 );
-const wasm = gzipSync(readFileSync(join(built, "cairn_playground.wasm")), { level: 9 }).toString("base64");
+const packed = (content) => gzipSync(content, { level: 9 }).toString("base64");
+const wasm = packed(readFileSync(join(built, "cairn_playground.wasm")));
 const parts = {
-  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}</style>`,
+  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}${esbuild("plot.css")}</style>`,
   scripts: [
-    script(JSON.stringify(texts).replaceAll("<", "\\u003c"), ' type="application/json" id="scenes"'),
+    script(packed(JSON.stringify(texts)), ' type="text/plain" id="scenes"'),
     script(wasm, ' type="text/plain" id="wasm"'),
     script(readFileSync(join(built, "cairn_playground.js"), "utf8")),
     script(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")),

@@ -202,6 +202,20 @@ export class Core {
     });
   }
 
+  /**
+   * What was at each step that can be taken back, and now, the oldest first. Of a body: times [s], heights [m], speeds
+   * [m/s], angular velocities [rad/s], NaN where it was not there. Of two: times [s], and forces between them [N].
+   * @param {number[]} bodies one or two
+   * @returns {number[][]}
+   */
+  history(bodies) {
+    const [name, width] = bodies.length === 1 ? ["body_history", 4] : ["pair_history", 2];
+    const count = this.#call("history_count");
+    const all = this.#array(this.#call(name, ...bodies), count * width);
+    const steps = Array.from({ length: count }, (_, i) => i);
+    return Array.from({ length: width }, (_, column) => steps.map((i) => all[i * width + column]));
+  }
+
   /** @returns {Row[]} */
   rows() {
     const count = this.#call("row_count");

@@ -47,6 +47,7 @@ class Cursor {
     }
     const next = this.#nearest(this.#app.core.bodies(), x, y);
     if (next > 0) this.#chosen = next;
+    if (this.#chosen > 0) this.#app.choose(this.#chosen);
     if (this.#chosen > 0) say(this.#app.core.bodyName(this.#chosen));
   }
 
@@ -120,6 +121,12 @@ class Cursor {
   }
 }
 
+/** Plots what is between the two bodies of a row. @param {App} app @param {number} row */
+export function chooseRow(app, row) {
+  const { a, b } = app.core.rows()[row];
+  app.choose(a, b);
+}
+
 /**
  * Lights up the next row, or the one before.
  * @param {App} app
@@ -129,6 +136,7 @@ export function lightNext(app, by) {
   const { lit, rows } = app.core.numbers();
   if (rows === 0) return say("There are no rows now.");
   const next = ((((lit < 0 && by < 0 ? 0 : lit) + by) % rows) + rows) % rows;
+  chooseRow(app, next);
   app.act(() => (app.core.lightRow(next), true), litWords(app.core, next));
 }
 

@@ -31,7 +31,7 @@ const others = [
 ];
 
 const onPicture = [
-  { shown: "← ↑ → ↓", says: "choose a body, or pull what the hand holds" },
+  { shown: "← ↑ → ↓", says: "choose a body and plot it, or pull what the hand holds" },
   { shown: "Enter", says: "use the tool on that body; once more lets go" },
   { shown: "Delete", says: "remove that body" },
   { shown: "G", says: "with the tool Pin: pin the body to the ground" },

@@ -10,6 +10,7 @@ import { setUpControls } from "./controls.js";
 import { setUpCursor } from "./cursor.js";
 import { setUpGoing } from "./going.js";
 import { setUpKeys } from "./keys.js";
+import { setUpPlot } from "./plot.js";
 import { setUpPointer } from "./pointer.js";
 import { setUpQuiz } from "./quiz.js";
 import { setUpSaving } from "./save.js";
@@ -24,11 +25,11 @@ const makeCairn =
   );
 
 /** What the bundler has put into the page. @param {string} id */
-const packed = (id) => find(id, HTMLScriptElement).textContent ?? "";
+const unpacked = (id) =>
+  through(bytesOf(find(id, HTMLScriptElement).textContent ?? ""), new DecompressionStream("gzip"));
 
 async function loadCore() {
-  const wasmBinary = await through(bytesOf(packed("wasm")), new DecompressionStream("gzip"));
-  return new Core(await makeCairn({ wasmBinary }));
+  return new Core(await makeCairn({ wasmBinary: await unpacked("wasm") }));
 }
 
 /**
@@ -138,7 +139,12 @@ function setAsAddressed({ core }, { settings }) {
   return words;
 }
 
-/** Opens what the address asks for. @param {App} app @param {Address} address */
+/**
+ * Opens what the address asks for. What somebody leads to begins at rest, as a reader expects who has yet to press a
+ * button; the page by itself shows that it moves.
+ * @param {App} app
+ * @param {Address} address
+ */
 function openAddress(app, address) {
   const { player } = app;
   const isKnown = address.scene === "" || app.scenes.some(({ name }) => name === address.scene);
@@ -150,7 +156,8 @@ function openAddress(app, address) {
   }
   words ||= address.trouble;
   words = setAsAddressed(app, address) || words;
-  const isStill = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const wantsLessMotion = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const isStill = address.isGiven || wantsLessMotion;
   if (words) sayRefusal(words);
   else if (address.at > 0) say(`Going to step ${address.at}.`);
   else if (isStill) say("It stands still. Press Run, or go row by row.");
@@ -186,7 +193,8 @@ async function followAddress(app) {
 async function begin() {
   const core = await loadCore();
   if (!core.draw()) throw new Error(core.refusal()); // a browser without WebGL2
-  const app = new App(core, sceneFiles(JSON.parse(packed("scenes"))));
+  const scenes = JSON.parse(new TextDecoder().decode(await unpacked("scenes")));
+  const app = new App(core, sceneFiles(scenes));
   const tools = new Tools(app);
   setUpTheme(app);
   setUpScenes(app);
@@ -195,6 +203,7 @@ async function begin() {
   setUpCursor(app, tools);
   setUpKeys(app);
   setUpGoing(app);
+  setUpPlot(app);
   setUpQuiz(app);
   setUpButtons(app);
   setUpNumbers(app);

@@ -1,5 +1,6 @@
 // What a mouse, a pen or a finger does on the picture.
 import { find, show } from "./dom.js";
+import { chooseRow } from "./cursor.js";
 import { litWords } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
@@ -81,6 +82,7 @@ class Pointer {
     const { core } = this.#app;
     const isLit = core.numbers().lit === this.#row;
     const words = isLit ? "No row is lit." : litWords(core, this.#row);
+    if (!isLit) chooseRow(this.#app, this.#row);
     this.#app.act(() => (core.lightRow(isLit ? -1 : this.#row), true), words);
   }
 

@@ -6,7 +6,7 @@ import { say, sayRefusal } from "./words.js";
 /** @typedef {"hand" | "box" | "remove" | "pin"} Tool */
 
 const hints = {
-  hand: "Hand: press on a body and pull it. Press on a bar to light up its row.",
+  hand: "Hand: press on a body and pull it; its height and speed are plotted. Press on a bar to light up its row.",
   box: "Box: draw a box in the scene. A short press makes one of middle size.",
   remove: "Remove: press on the body that shall go.",
   pin: "Pin: press on a body where the pin shall be, then on another body or on the ground.",
@@ -46,6 +46,7 @@ export class Tools {
    * @param {number} y
    */
   press(body, x, y) {
+    if (body > 0) this.#app.choose(body);
     if (this.tool === "hand") this.#grab(body, x, y);
     if (this.tool === "remove" && body > 0) this.#remove(body);
     if (this.tool === "pin") this.#pin(body, x, y);
