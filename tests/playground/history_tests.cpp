@@ -29,7 +29,7 @@ n = 2
 box = [1, 1]
 )";
 
-void begin(const char* text) {
+void begin_run(const char* text) {
   REQUIRE(cairn_patience(0) == 1);
   REQUIRE(cairn_open(text, "scene") == 1);
   REQUIRE(cairn_set("other", "none") == 1);
@@ -47,7 +47,7 @@ List<double> pair(int a, int b) {
 }  // namespace
 
 TEST_CASE("every step of a fall is kept, whatever was asked for at once") {
-  begin(falling);
+  begin_run(falling);
   REQUIRE(cairn_history_count() == 1);
   REQUIRE(cairn_step(30) == 1);
   REQUIRE(cairn_history_count() == 31);
@@ -61,7 +61,7 @@ TEST_CASE("every step of a fall is kept, whatever was asked for at once") {
 }
 
 TEST_CASE("back cuts the history, restart begins it anew, and it is as long as the way back") {
-  begin(falling);
+  begin_run(falling);
   REQUIRE(cairn_step(10) == 1);
   const List<double> before = body(1);
   REQUIRE(cairn_step(1) == 1);
@@ -74,7 +74,7 @@ TEST_CASE("back cuts the history, restart begins it anew, and it is as long as t
 }
 
 TEST_CASE("the force between two bodies is the weight that one carries") {
-  begin(standing);
+  begin_run(standing);
   REQUIRE(cairn_step(120) == 1);
   const List<double> crates = pair(1, 2), reversed = pair(2, 1);
   CHECK(crates.back() == doctest::Approx(10).epsilon(0.01));
@@ -84,7 +84,7 @@ TEST_CASE("the force between two bodies is the weight that one carries") {
 }
 
 TEST_CASE("a body that is not there has no numbers") {
-  begin(standing);
+  begin_run(standing);
   REQUIRE(cairn_step(5) == 1);
   REQUIRE(cairn_add_box(4, 3, 1, 1) == 1);
   REQUIRE(cairn_step(1) == 1);
