@@ -61,9 +61,10 @@ void draw_belt(Page& page, const Camera& camera, const SnapshotBody& body, BodyI
 void draw_one_way(Page& page, const Camera& camera, const SnapshotBody& body);
 void write_name(Page& page, const Camera& camera, const SnapshotBody& body, BodyId id, const WorldLook& look);
 
-/// What is seen behind everything: water, and points that attract.
+/// What is seen behind everything: water, points that attract, wind, and the ways that bodies are led along.
 void draw_fields(Page& page, const Camera& camera, const Snapshot& snapshot);
-/// Forces from outside that act on bodies: the longest arrow is the largest of them.
+/// Forces and torques from outside that act on bodies: the longest arrow is the largest of them, and the bow
+/// that goes furthest around the largest torque.
 void draw_outer_forces(Page& page, const Camera& camera, const Snapshot& snapshot);
 
 /// What is seen behind the bodies: rods, and the arms of pins that are outside their body.

@@ -279,7 +279,7 @@ Snapshot Box2DWorld::snapshot() const {
                   .contacts = simulation.contacts.contacts(simulation.colliders),
                   .apart = simulation.scene.joints().apart()};
   for (const BodyId id : simulation.bodies.indices()) result.bodies.push_back(simulation.body(id));
-  result.forces = forces_at(simulation.scene, result.bodies, result.time);
+  add_actions(simulation.scene, result);
   const BodyState<double> state = simulation.state();
   for (int i = 0; i < simulation.joints.size(); ++i) result.joints.push_back(simulation.joint(i, state));
   add_occurrences(simulation.scene, state, result);

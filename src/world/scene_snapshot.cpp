@@ -42,18 +42,21 @@ SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, cons
           .shapes = body.spec.shapes};
 }
 
-List<SnapshotForce> forces_at(const Scene& scene, const PerBody<SnapshotBody>& bodies, double time) {
-  List<SnapshotForce> forces;
+void add_actions(const Scene& scene, Snapshot& snapshot) {
   for (const SceneEvent& event : scene.events()) {
+    if (const auto* const path = std::get_if<FollowPath>(&event.action)) {
+      snapshot.paths.push_back({.body = path->body, .points = path->points});
+      if (path->kind == PathKind::round) snapshot.paths.back().points.push_back(path->points.front());
+    }
     const auto* const pull = std::get_if<ApplyForce>(&event.action);
-    if (pull == nullptr || time < event.time || time >= event.time + pull->seconds) continue;
-    const Pose<double>& pose = bodies[pull->body].pose;
-    forces.push_back({.body = pull->body,
-                      .point = pose.world(pull->point),
-                      .force = pull->in_world(Rotation<double>(pose.angle)),
-                      .torque = pull->torque});
+    if (pull == nullptr) continue;
+    if (snapshot.time < event.time || snapshot.time >= event.time + pull->seconds) continue;
+    const Pose<double>& pose = snapshot.bodies[pull->body].pose;
+    snapshot.forces.push_back({.body = pull->body,
+                               .point = pose.world(pull->point),
+                               .force = pull->in_world(Rotation<double>(pose.angle)),
+                               .torque = pull->torque});
   }
-  return forces;
 }
 
 template <Scalar Real>
@@ -106,7 +109,7 @@ Snapshot snapshot(const Scene& scene) {
   const BodyState<double> state = state_of<double>(scene);
   for (const BodyId body : scene.bodies().indices())
     result.bodies.push_back(snapshot_body(scene.bodies()[body], state.pose[body], state.velocity[body]));
-  result.forces = forces_at(scene, result.bodies, 0);
+  add_actions(scene, result);
   for (int i = 0; i < scene.joints().size(); ++i) {
     result.joints.push_back(snapshot_joint(*scene.joints()[i], state));
     result.joints.back().id = scene.joints().id(i);

@@ -17,8 +17,8 @@ Snapshot snapshot(const Scene& scene);
 /// A body of a scene as it is now: `pose` is that of its centre of mass, `velocity` in [m/s, m/s, rad/s].
 SnapshotBody snapshot_body(const SceneBody& body, const Pose<double>& pose, const Vec3<double>& velocity);
 
-/// The forces from outside that act at `time` [s] on bodies that stand so.
-List<SnapshotForce> forces_at(const Scene& scene, const PerBody<SnapshotBody>& bodies, double time);
+/// Adds the forces from outside that act on the bodies of the snapshot at its time, and the scene's paths.
+void add_actions(const Scene& scene, Snapshot& snapshot);
 
 /// A joint between bodies as they are now, without its impulse.
 template <Scalar Real>

@@ -85,7 +85,7 @@ Snapshot snapshot(const World<Real>& world) {
                                           world.bodies().velocity[body].template cast<double>()));
     result.bodies.back().awake = world.is_awake({body});
   }
-  result.forces = forces_at(scene, result.bodies, result.time);
+  add_actions(scene, result);
   const int joints = scene.joints().size();
   for (int i = 0; i < joints + (world.hand().joint() ? 1 : 0); ++i) {
     SnapshotJoint joint =

@@ -70,6 +70,12 @@ struct SnapshotForce {
   double torque = 0;            // [N m]
 };
 
+/// The way that a kinematic body is led along.
+struct SnapshotPath {
+  BodyId body = {};                // that follows it
+  List<Vec2<double>> points = {};  // [m] world, of the centre of mass; back at the first where it goes round
+};
+
 /// A joint that has broken: its ends are where they are now.
 struct SnapshotBreak {
   SnapshotJoint joint = {};  // without impulse
@@ -92,6 +98,7 @@ struct Snapshot {
   Vec2<double> gravity = {0, 0};        // [m/s^2]
   Fields fields = {};                   // of the scene
   List<SnapshotForce> forces = {};      // that act now, by their beginnings
+  List<SnapshotPath> paths = {};        // of the scene, by their beginnings
   PerBody<SnapshotBody> bodies = {};    // index 0 is the ground
   List<SnapshotContact> contacts = {};  // ordered by the shapes that touch
   List<SnapshotJoint> joints = {};      // in the order of the scene

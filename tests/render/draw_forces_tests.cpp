@@ -76,3 +76,35 @@ TEST_CASE("a velocity is drawn for every dynamic body, and only for those") {
   CHECK(is_written(page, "2.00"));
   CHECK_FALSE(is_written(page, "5.00"));
 }
+
+TEST_CASE("a torque from outside is a bow on the side to which it turns, and half as far for half of it") {
+  Snapshot world = with_ground({dynamic_body(circle(0.1), {-2, 0}), dynamic_body(circle(0.1), {2, 0})});
+  world.forces = {{.body = {1}, .point = {-2, 0}, .torque = 4}, {.body = {2}, .point = {2, 0}, .torque = -2}};
+  const Image image = picture_of_world(world);
+  const Theme theme = light_theme();
+  const auto distance = [&](double x, double degrees) {  // of what is 20 px from the body's middle
+    const double angle = degrees * pi / 180;
+    return distance_at(image, {x, 0}, theme.external, 20 * std::cos(angle), -20 * std::sin(angle));
+  };
+  // From below: three quarters of a turn counterclockwise, and three eighths of one clockwise.
+  for (const double passed : {-60, 0, 90, 150}) CHECK(distance(-2, passed) <= 2);
+  for (const double passed : {-120, 180, 150}) CHECK(distance(2, passed) <= 2);
+  CHECK(distance(-2, -135) > 30);
+  for (const double open : {-45, 0, 90}) CHECK(distance(2, open) > 30);
+}
+
+TEST_CASE("the way of a body that is led is dashed, with a ring at each of its points") {
+  Snapshot world = with_ground();
+  world.paths.push_back({.body = {1}, .points = {{-3, 0}, {3, 0}, {3, 2}}});
+  const Image image = picture_of_world(world);
+  const Theme theme = light_theme();
+  for (const Vec2<double>& point : world.paths[0].points) {
+    CHECK(distance_at(image, point, theme.background, 0, 0) <= 2);
+    CHECK(distance_at(image, point, theme.velocity, -3.5 / std::sqrt(2), -3.5 / std::sqrt(2)) < 120);
+  }
+  const double y = world_camera.project(Vec2<double>(0, 0)).y();
+  // 240 px in dashes of 11 px, of which the first and the last may be under rings.
+  CHECK(std::abs(strokes_in_row(image, y, theme.background, 20) - 240 / 11) <= 3);
+  world.paths[0].points[1].x() = no_number;
+  CHECK(picture_of_world(world).pixels == picture_of_world(with_ground()).pixels);
+}

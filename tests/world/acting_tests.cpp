@@ -223,3 +223,10 @@ TEST_CASE("a scene without fields, forces and paths has nothing of them") {
             .find("also          1 force, 1 attraction, water, 1 body with drag in the air, 1 path") !=
         std::string::npos);
 }
+
+TEST_CASE("a snapshot has the ways of what is led, back to the first point where one goes round") {
+  const Snapshot now = snapshot(everything());
+  REQUIRE(now.paths.size() == 1);
+  CHECK(now.paths[0].points == List<Vec2<double>>{{8, 1}, {9, 1}, {9, 2}, {8, 1}});
+  CHECK(snapshot(world_after(everything(), 3)).paths[0].points == now.paths[0].points);
+}
