@@ -21,9 +21,7 @@ const int most_members = 15;
 struct ClassSize {
   std::string name = {};
   bool is_struct = false;
-  /// Public ones. Those of one name are one, as they do the same to different things (C++ Core Guidelines,
-  /// C.162); overrides are the base's.
-  std::set<std::string> functions = {};
+  List<std::string> functions = {};       // public ones, those of one name each; overrides are the base's
   int members = 0;                        // with those of a struct within it that it has one of
   std::map<std::string, int> parts = {};  // the members of each struct within it
 };
@@ -62,7 +60,18 @@ void take_declaration(const std::string& text, bool is_public, ClassSize& size) 
       before.find("operator") != std::string::npos)
     return;
   if (std::regex_search(before, name, std::regex("(\\w+)$")) && name[1] != size.name)
-    size.functions.insert(name[1]);
+    size.functions.push_back(name[1]);
+}
+
+std::set<std::string> names_of(const ClassSize& size) {
+  return {size.functions.begin(), size.functions.end()};
+}
+
+/// Containers of several kinds of things, which add, change and remove each: their overloads count once, as
+/// they do the same to different things (C++ Core Guidelines, C.162).
+bool is_container(const std::string& name) {
+  return name == "Scene"            // of bodies, joints, events and rules
+         || name == "SceneJoints";  // of joints and what holds them, read as a range
 }
 
 /// The classes of a header, which is laid out as clang-format does: members stand two columns in.
@@ -115,7 +124,8 @@ TEST_CASE("no class of the core has more public functions or members than a read
       if (entry.path().extension() != ".hpp") continue;
       for (const ClassSize& size : classes_of(entry.path())) {
         CAPTURE(size.name);
-        CHECK(static_cast<int>(size.functions.size()) <= most_functions);
+        const auto functions = is_container(size.name) ? names_of(size).size() : size.functions.size();
+        CHECK(static_cast<int>(functions) <= most_functions);
         CHECK(size.members <= most_members);
       }
     }
@@ -137,6 +147,7 @@ TEST_CASE("functions and members of a class are counted as they are read") {
   REQUIRE(classes.size() == 2);
   CHECK(classes[0].name == "Part");
   CHECK(classes[0].members == 2);
-  CHECK(classes[1].functions == std::set<std::string>{"all", "say"});
+  CHECK(classes[1].functions == List<std::string>{"say", "say", "all"});
+  CHECK(names_of(classes[1]) == std::set<std::string>{"all", "say"});
   CHECK(classes[1].members == 5);
 }

@@ -70,9 +70,8 @@ void build_body(SceneBuilder& builder, const SceneTable& table, int number) {
           is_moved ? moved(piece, part.get<Vec2<double>>("offset"), part.get<double>("turn")) : piece);
     }
   }
-  const BodyId body = builder.add(
-      table, spec, table.has("name") ? builder.claim_name(table, "") : "body." + std::to_string(number));
-  if (table.has("displaced") || table.has("displaced_angle")) builder.displace(table, body);
+  builder.add(table, spec,
+              table.has("name") ? builder.claim_name(table, "") : "body." + std::to_string(number));
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ BodyId SceneBuilder::add(const SceneTable& table, const BodySpec& spec, const st
   BodyId id;
   table.guard([&] { id = scene_.add(spec); });
   names_.add(table, name, id);
+  if (table.has("displaced") || table.has("displaced_angle")) displace(table, id);
   return id;
 }
 

@@ -25,6 +25,7 @@ class SceneBuilder {
   std::string claim_name(const SceneTable& table, const std::string& fallback) {
     return names_.claim(table, fallback);
   }
+  /// A body, which moves as its table says once all joints are there, so that they begin with an error.
   /// @throws std::invalid_argument for what Scene::add refuses, and beyond 20,000 bodies.
   BodyId add(const SceneTable& table, const BodySpec& spec, const std::string& name);
   /// Once all bodies are there, for it is as wide as they want it.
@@ -32,8 +33,6 @@ class SceneBuilder {
 
   /// Runs `work` once all bodies are there.
   void later(std::function<void()> work) { waiting_.push_back(std::move(work)); }
-  /// Moves a body as its table says once all joints are there, so that they begin with an error.
-  void displace(const SceneTable& table, BodyId body);
   void finish();
   /// What is known of two surfaces together, once finish() was called. @throws std::invalid_argument as
   /// Scene::set_settings.
@@ -67,6 +66,7 @@ class SceneBuilder {
   const PerBody<Pose<double>>& poses() const { return poses_; }
 
  private:
+  void displace(const SceneTable& table, BodyId body);
   void require_room_for_joint(const SceneTable& table) const;
   // What constraints refuse by the ids of bodies, by their names.
   void require_different(const SceneTable& table, const List<BodyId>& bodies) const;

@@ -36,7 +36,9 @@ class WorldContestant final : public Contestant {
     if (any && impulses_) impulses_->clear();  // of a step whose joints may be gone
     return any;
   }
-  void step() override { report_ = impulses_ ? world_.step(*solver_, *impulses_) : world_.step(*solver_); }
+  void step() override {
+    report_ = world_.step(*solver_, impulses_ ? StepWatch<Real>(*impulses_) : StepWatch<Real>());
+  }
   std::optional<BodyId> not_finite() const override { return report_.not_finite; }
   std::optional<double> unfinished() const override {
     return report_.unfinished > 0 ? std::optional(report_.worst_residual) : std::nullopt;

@@ -45,6 +45,7 @@ bool is_too_deep(const Contact<Real>& contact, const BodyKinds<Real>& kinds) {
 template <Scalar Real>
 StepReport World<Real>::step(Solver<Real>& solver, const StepWatch<Real>& watch) {
   occupation_.refuse("World::step");
+  if (watch.impulses != nullptr) watch.impulses->clear();
   std::optional<World> next = after_events();
   if (!next) return take_step(solver, watch);
   StepReport report;

@@ -26,11 +26,14 @@
 
 namespace cairn {
 
-/// Who looks at a step; null: nobody.
+/// Who looks at a step: nobody, an observer, or sums of impulses.
 template <Scalar Real>
 struct StepWatch {
+  StepWatch(SolveObserver<Real>* observer = nullptr) : solves(observer) {}
+  StepWatch(StepImpulses& sums) : impulses(&sums) {}
+
   SolveObserver<Real>* solves = nullptr;  // at each sweep
-  StepImpulses* impulses = nullptr;       // at what substeps gave
+  StepImpulses* impulses = nullptr;       // at what contacts and joints give in all of the step
 };
 
 /// How bodies were when a step began, for one that is not done.
@@ -67,14 +70,8 @@ class World {
   /// done: bodies, time, events and hand are as before it, but last_step() may be empty. The next step has
   /// the bits that it would have had; only where the scene has substeps it may begin from impulses of those
   /// that were done, with what these woke awake.
-  StepReport step(Solver<Real>& solver, SolveObserver<Real>* observer = nullptr) {
-    return step(solver, StepWatch<Real>{.solves = observer});
-  }
-  /// The same to the same bits, with what contacts and joints give in all of it.
-  StepReport step(Solver<Real>& solver, StepImpulses& impulses) {
-    impulses.clear();
-    return step(solver, StepWatch<Real>{.impulses = &impulses});
-  }
+  /// Whoever watches it changes none of its bits.
+  StepReport step(Solver<Real>& solver, const StepWatch<Real>& watch = {});
   /// The problem that step() would hand to its solver first: changes nothing.
   VelocityProblem<Real> velocity_problem() const;
 
@@ -114,7 +111,6 @@ class World {
  private:
   World after(const std::function<void(Scene&)>& change);
   std::optional<World> after_events();
-  StepReport step(Solver<Real>& solver, const StepWatch<Real>& watch);
   StepReport take_step(Solver<Real>& solver, const StepWatch<Real>& watch);
   void begin_step();
   void leave_step();
