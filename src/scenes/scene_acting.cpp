@@ -18,6 +18,7 @@ List<SceneKey> scene_acting_keys() {
       {"attraction", "radius", &Attraction::radius, "m", ">= 0", "nearer, it falls off in proportion to r"},
       {"lasting", "body", text, "", "", "name of a body; \"row.*\": one for each of a row", "required"},
       {"lasting", "time", number, "s", ">= 0", "when it begins", "0"},
+      {"force", "times", integer, "", "from 1 to 1000000000", "that a touch brings it at most", "Each time"},
       {"force", "force", &ApplyForce::force, "N", "", "along the axes of the world"},
       {"force", "torque", &ApplyForce::torque, "N m", "", "counterclockwise"},
       {"force", "point", point, "m", "",
@@ -45,7 +46,9 @@ void add_force(SceneBuilder& builder, const SceneTable& table, BodyId body) {
   table.read(pull);
   if (table.has("point")) pull.point = begins.local(table.get<Vec2<double>>("point"));
   if (pull.turns) pull.force = Rotation<double>(begins.angle).transposed_times(pull.force);
-  builder.add(table, {.time = table.get<double>("time"), .action = pull});
+  SceneEvent event = event_of(builder, table);
+  event.action = pull;
+  builder.add(table, event);
 }
 
 void add_path(SceneBuilder& builder, const SceneTable& table, BodyId body) {
@@ -56,7 +59,10 @@ void add_path(SceneBuilder& builder, const SceneTable& table, BodyId body) {
   path.points = {it.pose.position};
   for (const Vec2<double>& point : table.get<List<Vec2<double>>>("points"))
     path.points.push_back(it.pose.position + point - it.spec.position);
-  builder.add(table, {.time = table.get<double>("time"), .action = path});
+  SceneEvent event = event_of(builder, table);
+  event.action = path;
+  if (event.touch) event.times = 1;
+  builder.add(table, event);
 }
 
 }  // namespace

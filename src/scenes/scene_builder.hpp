@@ -101,6 +101,9 @@ void build_bodies(SceneBuilder& builder, const SceneTable& table, int number);
 void build_joint(SceneBuilder& builder, const SceneContext& context, const SceneValue& value, int number);
 /// `fields`, with what the tables of the file add to them.
 Fields fields_of(const SceneTable& file, Fields fields);
+/// When what a table says is to happen: at its time, or at a touch. What is done is left to be filled in.
+/// @throws std::invalid_argument for a time beside a touch, and for keys of a touch beside none.
+SceneEvent event_of(const SceneBuilder& builder, const SceneTable& table);
 /// Every [[force]] and [[path]] of the file, once all bodies are there.
 void build_acting(SceneBuilder& builder, const SceneTable& file);
 /// Every [[contact]] of the file, once all bodies are there.

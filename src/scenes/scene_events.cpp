@@ -24,19 +24,6 @@ const std::map<std::string, List<std::string>>& event_keys() {
   return keys;
 }
 
-/// Whether it waits for a touch, and not for its time. @throws std::invalid_argument unless it is one of the
-/// two, with keys of that one alone.
-bool waits_for_touch(const SceneTable& table) {
-  int found = 0;
-  for (const char* key : {"time", "touch", "leave"}) found += table.has(key);
-  if (found != 1)
-    table.refuse("", "an event with a time, or else a touch or a leave", found == 0 ? "none" : "several");
-  for (const char* key : {"by", "delay", "times"}) {
-    if (table.has("time") && table.has(key)) table.refuse(key, "left out of an event with a time");
-  }
-  return !table.has("time");
-}
-
 /// Which of them a table is. @throws std::invalid_argument unless it is one, with keys of that one alone.
 std::string event_kind(const SceneTable& table) {
   std::string kinds;
@@ -61,27 +48,18 @@ class EventReader {
   explicit EventReader(SceneBuilder& builder) : builder_(builder), then_(builder.scene()) {}
 
   void read(const SceneTable& table) {
-    if (waits_for_touch(table)) return read_touch(table);
-    const SceneAction action = read_action(table);
-    builder_.add(table, {.time = table.get<double>("time"), .action = action});
-    then_.add({.time = 0, .action = action});
+    SceneEvent event = event_of(builder_, table);
+    if (!event.touch && !table.has("time"))
+      table.refuse("", "begun by a time, or else by a touch or a leave", "none");
+    if (event.touch) then_ = builder_.scene();
+    event.action = read_action(table);
+    builder_.add(table, event);
+    if (event.touch) return;
+    then_.add({.time = 0, .action = event.action});
     then_.do_events(0);
   }
 
  private:
-  void read_touch(const SceneTable& table) {
-    then_ = builder_.scene();
-    const bool begins = table.has("touch");
-    SceneEvent event{.time = table.get<double>("delay"),
-                     .touch = TouchCondition{
-                         .a = builder_.names().bodies(table, begins ? "touch" : "leave"),
-                         .change = begins ? TouchCondition::Change::begins : TouchCondition::Change::ends}};
-    if (table.has("by")) event.touch->b = builder_.names().bodies(table, "by");
-    if (table.has("times")) event.times = table.get<int>("times");
-    event.action = read_action(table);
-    builder_.add(table, event);
-  }
-
   SceneAction read_action(const SceneTable& table) {
     const std::string kind = event_kind(table);
     if (kind == "remove") return removal(table);
@@ -167,6 +145,26 @@ class EventReader {
 };
 
 }  // namespace
+
+SceneEvent event_of(const SceneBuilder& builder, const SceneTable& table) {
+  int found = 0;
+  for (const char* key : {"time", "touch", "leave"}) found += table.has(key);
+  if (found > 1) table.refuse("", "begun by a time, or else by a touch or a leave", "several");
+  if (!table.has("touch") && !table.has("leave")) {
+    for (const char* key : {"by", "delay", "times"}) {
+      if (table.has(key)) table.refuse(key, "left out without a touch or a leave");
+    }
+    return {.time = table.has("time") ? table.get<double>("time") : 0};
+  }
+  const bool begins = table.has("touch");
+  SceneEvent event{.time = table.get<double>("delay"),
+                   .touch = TouchCondition{
+                       .a = builder.names().bodies(table, begins ? "touch" : "leave"),
+                       .change = begins ? TouchCondition::Change::begins : TouchCondition::Change::ends}};
+  if (table.has("by")) event.touch->b = builder.names().bodies(table, "by");
+  if (table.has("times")) event.times = table.get<int>("times");
+  return event;
+}
 
 void build_events(SceneBuilder& builder, const SceneTable& file) {
   List<SceneTable> events = file.tables("event");

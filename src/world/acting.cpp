@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <cairn/geometry/immersion.hpp>
 
@@ -54,8 +55,10 @@ Acting<Real>::Acting(const Scene& scene) : scene_(scene) {
     if (scene.bodies()[body].spec.type == BodyType::dynamic) bodies_.push_back(body);
   }
   for (const SceneEvent& event : scene.events()) {
-    if (std::holds_alternative<ApplyForce>(event.action)) forces_.push_back(event);
-    if (std::holds_alternative<FollowPath>(event.action)) paths_.push_back(event);
+    if (std::holds_alternative<ApplyForce>(event.action) && !event.touch) forces_.push_back(event);
+    if (!std::holds_alternative<FollowPath>(event.action)) continue;
+    paths_.push_back(event);
+    if (event.touch) paths_.back().time = std::numeric_limits<double>::infinity();  // not known yet
   }
 }
 

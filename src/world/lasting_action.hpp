@@ -28,8 +28,8 @@ enum class PathKind {
   round,       // straight to its beginning, and so on
 };
 
-/// Takes a kinematic body along straight lines from point to point, at one speed. Until its time the body
-/// stays at the first point. Contacts see the velocity with which it goes.
+/// Takes a kinematic body along straight lines from point to point, at one speed. Until its time, or the
+/// touch that it waits for, the body stays at the first point. Contacts see the velocity with which it goes.
 struct FollowPath {
   BodyId body = {};                // a kinematic one
   List<Vec2<double>> points = {};  // [m] of the centre of mass: two or more

@@ -122,6 +122,8 @@ void Scene::add(const SceneEvent& event) {
   if (const auto* path = std::get_if<FollowPath>(&event.action)) {
     require_changeable(*this, path->body, who);
     require_path(*this, *path);
+    require(!event.touch || event.times == 1, who, "times", "1 of a path that waits for a touch",
+            event.times.value_or(0));
   }
   // Refused now, and not when it is to be done:
   if (const auto* other = std::get_if<SwitchMotor>(&event.action))
@@ -174,7 +176,9 @@ void Scene::do_events(const List<int>& met, double time) {
       due.push_back({.time = time + event.time, .action = event.action});
     }
   }
-  erase_if(events_, [](const SceneEvent& event) {
+  erase_if(events_, [time](const SceneEvent& event) {
+    const auto* const pull = std::get_if<ApplyForce>(&event.action);
+    if (pull != nullptr && !event.touch && event.time + pull->seconds <= time) return true;  // it is over
     return event.times == 0 && !std::holds_alternative<CountTouches>(event.action);
   });
   for (const SceneEvent& event : due) schedule(event);

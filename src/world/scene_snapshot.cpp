@@ -49,7 +49,7 @@ void add_actions(const Scene& scene, Snapshot& snapshot) {
       if (path->kind == PathKind::round) snapshot.paths.back().points.push_back(path->points.front());
     }
     const auto* const pull = std::get_if<ApplyForce>(&event.action);
-    if (pull == nullptr) continue;
+    if (pull == nullptr || event.touch) continue;
     if (snapshot.time < event.time || snapshot.time >= event.time + pull->seconds) continue;
     const Pose<double>& pose = snapshot.bodies[pull->body].pose;
     snapshot.forces.push_back({.body = pull->body,

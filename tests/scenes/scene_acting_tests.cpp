@@ -87,3 +87,24 @@ TEST_CASE(
     CHECK(scene.events()[i].time == 0);
   }
 }
+
+TEST_CASE("forces and paths of a file may wait for a touch, a path for one alone") {
+  const Scene scene = read_scene_text(
+                          "[[body]]\nname = \"ball\"\ncircle = 0.5\nposition = [0, 3]\n"
+                          "[[body]]\nname = \"lift\"\ntype = \"kinematic\"\nbox = [1, 1]\n"
+                          "[[force]]\nbody = \"ball\"\nforce = [0, 4]\nseconds = 1\n"
+                          "touch = \"ball\"\nby = \"lift\"\ndelay = 0.5\ntimes = 3\n"
+                          "[[path]]\nbody = \"lift\"\npoints = [[0, 4]]\nspeed = 1\nleave = \"ball\"\n",
+                          "my.toml")
+                          .make();
+  REQUIRE(scene.events().size() == 2);
+  const SceneEvent &pull = scene.events()[0], &path = scene.events()[1];
+  REQUIRE(pull.touch);
+  CHECK(pull.touch->a == List<BodyId>{{1}});
+  CHECK(pull.touch->b == List<BodyId>{{2}});
+  CHECK(pull.time == 0.5);
+  CHECK(pull.times == 3);
+  REQUIRE(path.touch);
+  CHECK(path.touch->change == TouchCondition::Change::ends);
+  CHECK(path.times == 1);
+}

@@ -164,6 +164,49 @@ TEST_CASE("copies, edits that change nothing and repeated steps count the same, 
   CHECK(count_of(snapshot(world), "begun") >= 4);
 }
 
+TEST_CASE("a force that waits for a touch acts from the end of the step that saw it, each time for so long") {
+  Scene scene({.gravity = {0, 0}, .dt = touch_dt});
+  const BodyId disc =
+      scene.add({.shapes = {circle(0.5)}, .position = {touch_dt / 2, 0}, .velocity = {1, 0}, .mass = 2});
+  for (const double x : {2.0, 6.0, 10.0})
+    scene.add({.type = BodyType::static_body, .shapes = {box(1, 1)}, .position = {x, 0}, .sensor = true});
+  const double delay = 4 * touch_dt, seconds = 10 * touch_dt;
+  scene.add({.time = delay,
+             .action = ApplyForce{.body = disc, .force = {3.2, 0}, .seconds = seconds},
+             .touch = TouchCondition{.a = {disc}}});
+  // After 64 steps the disc is half a step's way in the first sensor. The step that begins there sees it.
+  CHECK(velocity_of(world_after(scene, 65 + 4), disc).x() == 1);
+  for (const int steps : {1, 7, 10, 50}) {
+    const World<double> world = world_after(scene, 65 + 4 + steps);
+    const double pulled = 1.6 * std::min(steps * touch_dt, seconds);
+    CHECK(std::abs(velocity_of(world, disc).x() - 1 - pulled) < 1e-14);
+    CHECK(snapshot(world).forces.size() == (steps < 10 ? 1 : 0));
+  }
+  const World<double> end = world_after(scene, 600);
+  CHECK(std::abs(velocity_of(end, disc).x() - 1 - 3 * 1.6 * seconds) < 1e-13);
+  CHECK(end.scene().events().size() == 2);  // the one that waits and the last; those before are over
+}
+
+TEST_CASE("a lift that waits for a touch stays at its first point until then") {
+  FallingDisc fall(2);
+  const BodyId lift = fall.scene.add(
+      {.type = BodyType::kinematic, .shapes = {box(3, 0.5)}, .position = {0, 0.25}, .velocity = {1, 0}});
+  const SceneEvent event{.action = FollowPath{.body = lift, .points = {{0, 0.25}, {0, 5}}, .speed = 0.5},
+                         .touch = TouchCondition{.a = {lift}, .b = {fall.disc}},
+                         .times = 1};
+  fall.scene.add(event);
+  const int first = steps_to_fall(1.5);
+  CHECK(world_after(fall.scene, first).bodies().pose[lift].position == Vec2<double>(0, 0.25));
+  for (const int steps : {1, 30, 64}) {
+    const World<double> world = world_after(fall.scene, first + steps);
+    CHECK((world.bodies().pose[lift].position - Vec2<double>(0, 0.25 + 0.5 * steps * touch_dt)).norm() <
+          1e-14);
+  }
+  SceneEvent twice = event;
+  twice.times = 2;
+  CHECK_THROWS_AS(fall.scene.add(twice), std::invalid_argument);
+}
+
 TEST_CASE("what no event waits for is not looked for, and events of bodies that are gone are forgotten") {
   FallingDisc fall(1);
   CHECK_FALSE(make_plan(fall.scene).watches());
