@@ -163,6 +163,21 @@ Setting common_setting(const Words& words, const SceneEntry& scene) {
   return setting;
 }
 
+std::string flags_text(const Setting& setting, const Setting& usual) {
+  std::string text = "--solver " + setting.solver;
+  if (solver_entry(setting.solver).uses_sweeps) text += fmt::format(":{}", setting.sweeps.iterations);
+  if (setting.sweeps.tolerance != usual.sweeps.tolerance)
+    text += fmt::format(" --tolerance {:g}", setting.sweeps.tolerance);
+  if (setting.dt != usual.dt) text += fmt::format(" --frequency {:.12g}", 1 / setting.dt);
+  if (setting.substeps != usual.substeps) text += fmt::format(" --substeps {}", setting.substeps);
+  if (setting.contact_search != usual.contact_search)
+    text += fmt::format(" --contact-search {}", word_of(setting.contact_search));
+  if (setting.stabilization.policy != usual.stabilization.policy)
+    text += fmt::format(" --stabilization {}", word_of(setting.stabilization.policy));
+  if (setting.scalar != usual.scalar) text += fmt::format(" --scalar {}", word_of(setting.scalar));
+  return text;
+}
+
 double seconds_of(const Words& words, const SceneEntry& scene) {
   return words.quantity("seconds", "s", scene.seconds);
 }

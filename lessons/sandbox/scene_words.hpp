@@ -39,6 +39,10 @@ void refuse_idle_flags(const Words& words, const List<std::string>& solvers);
 /// @throws UsageError that names --`flag`.
 Setting with_solver(const Words& words, std::string_view flag, Setting setting, const std::string& text);
 
+/// "--solver newton:16 --substeps 1": the flags with which a scene whose own setting is `usual` is stepped by
+/// `setting`, as far as there are flags.
+std::string flags_text(const Setting& setting, const Setting& usual);
+
 /// --seconds, or the scene's own [s].
 double seconds_of(const Words& words, const SceneEntry& scene);
 

@@ -3,10 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lessons/sandbox/scene_words.hpp"
 #include "lessons/sandbox/study_words.hpp"
 #include "lessons/sandbox/verb.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/measure/whole_file.hpp>
+#include <cairn/scenes/default_setting.hpp>
 #include <cairn/study/tuning/recommend.hpp>
 
 namespace cairn::sandbox {
@@ -42,6 +44,15 @@ void print_candidate(const std::string& who, const RecommendCandidate& candidate
   for (const RecommendFinding& found : candidate.findings) console.result(console.spelt(finding_line(found)));
 }
 
+/// The flags of a setting that is still one of those that are tried.
+void print_flags(const std::string& setting, Console& console) {
+  for (const Setting& tried : recommend_settings()) {
+    if (setting_text(tried) == setting)
+      console.result("  with a scene of yours: cairn run FILE " +
+                     flags_text(tried, default_setting(Scene()).setting));
+  }
+}
+
 const RecommendCandidate* plain_candidate(const Recommendation& of_kind) {
   for (const RecommendCandidate& candidate : of_kind.candidates) {
     if (candidate.setting == setting_text(plain_setting())) return &candidate;
@@ -60,6 +71,7 @@ void print_kind(const Recommendation& of_kind, Console& console) {
     console.result(fmt::format("    {:<40} {:>10} {:>10} {:>10} {:>8} {:>9} {:>11}", "run", "overlap mm",
                                "drift mm", "gain %", "stands s", "ms per s", "updates / s"));
     print_candidate("recommended: ", best.front(), Color::good, console);
+    print_flags(best.front().setting, console);
   }
   for (int i = 1; i < std::min(best.size(), most_runners_up + 1); ++i) {
     console.result(console.spelt(fmt::format("  runner-up: {}, {:.2f} times the cost", best[i].setting,

@@ -129,7 +129,7 @@ void print_answer(const TunerAnswer& answer, const Wish& wish, const TunerOption
     table.print_best(*answer.best);
     for (const Candidate& next : answer.runners_up) table.print("runner-up", next);
   } else {
-    const std::string asked = options.budget ? "keeps within the budget" : "meets the wish";
+    const std::string asked = options.budget ? "holds within the budget" : "meets the wish";
     console.result(console.colored("Nothing that was tried " + asked + ".", Color::bad));
     table.print(options.budget ? "fastest" : "most work", answer.nearest);
   }
@@ -137,10 +137,11 @@ void print_answer(const TunerAnswer& answer, const Wish& wish, const TunerOption
   table.print("Box2D 2.4.1", answer.box2d);
 }
 
-Json candidate_json(const std::optional<Candidate>& candidate) {
+Json candidate_json(const std::optional<Candidate>& candidate, const Setting& usual) {
   if (!candidate) return nullptr;
   const Setting& setting = candidate->setting;
   return {{"setting", setting_text(setting)},
+          {"flags", flags_text(setting, usual)},
           {"solver", setting.solver},
           {"sweeps", setting.sweeps.iterations},
           {"dt", setting.dt},
@@ -159,15 +160,18 @@ Json candidate_json(const std::optional<Candidate>& candidate) {
           {"missed", candidate->missed}};
 }
 
-Json answer_json(const std::string& scene, const TunerAnswer& answer) {
+Json answer_json(const SceneEntry& scene, const TunerAnswer& answer) {
+  const auto json_of = [&scene](const std::optional<Candidate>& candidate) {
+    return candidate_json(candidate, scene.setting);
+  };
   Json runners_up = Json::array();
-  for (const Candidate& next : answer.runners_up) runners_up.push_back(candidate_json(next));
-  return {{"scene", scene},
-          {"best", candidate_json(answer.best)},
+  for (const Candidate& next : answer.runners_up) runners_up.push_back(json_of(next));
+  return {{"scene", scene.name},
+          {"best", json_of(answer.best)},
           {"runners_up", runners_up},
-          {"plain_si", candidate_json(answer.plain_si)},
-          {"box2d", candidate_json(answer.box2d)},
-          {"nearest", candidate_json(answer.nearest)},
+          {"plain_si", json_of(answer.plain_si)},
+          {"box2d", json_of(answer.box2d)},
+          {"nearest", json_of(answer.nearest)},
           {"build", build_json()},
           {"tried", answer.tried},
           {"complete", answer.complete}};
@@ -222,9 +226,12 @@ int run_tune(const Words& words, Console& console) {
     return stopped;
   }
   if (words.has("json")) {
-    fmt::print("{}\n", answer_json(entry.name, answer).dump(1));
+    fmt::print("{}\n", answer_json(entry, answer).dump(1));
   } else {
     print_answer(answer, wish, options, console);
+    if (answer.best)
+      console.result(fmt::format("to run it: cairn run {} {}", words.places.front(),
+                                 flags_text(answer.best->setting, entry.setting)));
   }
   const char* late = answer.complete ? "" : "; time ran out before the search ended: --time allows more";
   console.narrate(fmt::format("{} settings tried{}", answer.tried, late));

@@ -28,6 +28,8 @@ struct SolverEntry {
   /// the work of different solvers is compared; study/tuning/sweep_price.hpp measures it.
   double work_of_a_sweep = 1;
   int most_tried_sweeps = 256;  // by a tuner
+  /// A solve is over once it is solved, mostly after one iteration: their number is only a limit.
+  bool ends_by_itself = false;
   bool tuned = false;           // whether a tuner tries it if nobody says which
   bool uses_sweeps = true;      // SolverSettings::iterations
   bool uses_order = true;       // SolverSettings::order

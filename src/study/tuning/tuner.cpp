@@ -142,10 +142,13 @@ class TunerField {
   }
 
   /// Runs that miss a wish are given up there: what came from more work came nearer. To a budget the shorter
-  /// one is.
+  /// one is, and before all others one that does not fail.
   bool is_nearer(const Candidate& candidate) const {
     if (!answer_.nearest) return true;
-    if (options_.budget) return candidate.frame < answer_.nearest->frame;
+    if (options_.budget) {
+      const bool holds = std::isfinite(candidate.share), held = std::isfinite(answer_.nearest->share);
+      return holds != held ? holds : candidate.frame < answer_.nearest->frame;
+    }
     return expected_work(candidate.setting) >= expected_work(answer_.nearest->setting);
   }
 

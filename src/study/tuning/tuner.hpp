@@ -79,16 +79,17 @@ List<Setting> plain_si_settings();
 List<Setting> box2d_settings();
 
 /// About how much work a second of the setting is: sweeps, weighed by what they cost, with what a step costs
-/// without any. Only orders the search; what is reported is measured.
+/// without any; of a solver that ends by itself one iteration, whatever their limit. Only orders the search;
+/// what is reported is measured.
 double expected_work(const Setting& setting);
 /// What all of a step costs but its sweeps, in sweeps of sequential impulses.
 inline constexpr double work_of_a_step = 10;
 
 /// Tries each setting from start 0, those in `first` and the coarse ones before the others, and leaves out
 /// what must be expected to cost more than twice the best, or the budget, by what other settings of its
-/// solver have cost for their expected work; 4 times, by those of all solvers, where it has none. The best
-/// are tried in single precision and with manifolds that last, too, and then from the other starts; one that
-/// misses the wish from one of them is out.
+/// solver have cost for their expected work (the least of them, where solves end by themselves); 4 times, by
+/// those of all solvers, where it has none. The best are tried in single precision and with manifolds that
+/// last, too, and then from the other starts; one that misses the wish from one of them is out.
 /// @throws std::invalid_argument for an empty wish, and numbers that are not above 0.
 TunerAnswer tune(const TunerRun& run, const Wish& wish, const TunerOptions& options = {});
 

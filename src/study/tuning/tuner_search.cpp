@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cairn/scenes/solver_list.hpp>
+
 namespace cairn {
 
 namespace {
@@ -16,6 +18,12 @@ double median_of(List<double> values) {
   const auto middle = values.begin() + values.size() / 2;
   std::nth_element(values.begin(), middle, values.end());
   return values.size() % 2 == 1 ? *middle : (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+/// What a unit of work costs. Where solves end by themselves, a run that does badly does many times the work
+/// that is expected: the least shows what one costs that does well.
+double cost_of(const SolverEntry& solver, const List<double>& costs) {
+  return solver.ends_by_itself ? *std::min_element(costs.begin(), costs.end()) : median_of(costs);
 }
 
 }  // namespace
@@ -34,7 +42,8 @@ bool TunerSearch::is_too_much(const Setting& setting, const Candidate* best) con
   const double limit = options_.budget ? 60 * *options_.budget : best->cost;  // [s] for a second
   const auto own = cost_of_work_.find(setting.solver);
   if (own != cost_of_work_.end())
-    return expected_work(setting) * median_of(own->second) > solver_margin * limit;
+    return expected_work(setting) * cost_of(solver_entry(setting.solver), own->second) >
+           solver_margin * limit;
   List<double> all;
   for (const auto& [solver, costs] : cost_of_work_) all.insert(all.end(), costs.begin(), costs.end());
   return expected_work(setting) * median_of(all) > search_margin * limit;
