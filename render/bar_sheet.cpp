@@ -186,6 +186,9 @@ TextStyle added_text(const BarSheet& sheet) {
 }
 
 std::string column_number(const BarSheet& sheet, double value) {
+  const double largest = std::max(sheet.range.high, -sheet.range.low);
+  const double least = std::pow(10, std::floor(std::log10(largest)) - 3);  // what a column tells apart
+  if (std::abs(value) < 1e3 * largest) value = least * std::round(value / least);
   const double size = std::abs(value);
   const int whole = size >= 1 && size < 1e5 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
   return significant(value, std::max(sheet.chart.digits, whole));

@@ -120,7 +120,8 @@ const found = () =>
     .filter((each) => !each.closest(".field"))
     .map((each) => each.id || each.parentElement.id);
 
-const folded = ["settings-rest", "scene-file", "plan-part"];
+const folded = ["settings-rest", "scene-file", "plan-part", "legend"];
+const lists = ["scene", "challenge-list"];
 const selectorOf = (id) => (folded.includes(id) ? `#${id} > summary` : `#${id}`);
 
 /** Chooses the next word of a list. */
@@ -185,7 +186,7 @@ async function useOne(tab, id, way) {
   const selector = selectorOf(id);
   const done = control.does?.(tab);
   if (control.text) await write(tab, selector, control.text, way);
-  else if (id === "scene") await way.choose(tab, selector);
+  else if (lists.includes(id)) await way.choose(tab, selector);
   else await way.use(tab, selector);
   const claim = `${id} works by ${way === mouse ? "mouse" : "keyboard"}`;
   if (done) return check(Boolean(await done.catch(() => null)), claim);
