@@ -14,8 +14,9 @@ struct BarLine {
   List<int> rows = {};
 };
 
-/// Where the student is: within a step, or where a row is lit or asked for, single rows are looked at. Between
-/// steps two points of a contact share its force now this way and now that, and only their sum stands still.
+/// Where the student is: within a step, or where a row is lit or asked for, single rows are looked at.
+/// Between steps two points of a contact share its force now this way and now that, and only their sum stands
+/// still.
 bool shows_rows(const Playground& playground);
 
 /// The bars of the solve that comes next. Without `all`, rows of friction are left out but for one that is

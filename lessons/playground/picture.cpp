@@ -24,8 +24,8 @@ constexpr double narrow =
     1.1;                      // a picture no wider than so many times its height has the rows below the scene
 constexpr double high = 680;  // [px] a narrow picture this high has room for a curve
 constexpr double equation_height = 150;  // [px]
-constexpr int most_pixels = 6144;  // of a side, on the screen
-constexpr double finger = 8;       // [px] by which it may miss
+constexpr int most_pixels = 6144;        // of a side, on the screen
+constexpr double finger = 8;             // [px] by which it may miss
 
 /// What a scene shows at first, wherever its bodies go later: the height that its file asks for, as wide as
 /// its bodies need.

@@ -62,7 +62,8 @@ class Picture {
   void draw_velocities(const Playground& playground, int number, const render::Camera& camera);
   void draw_hand(const Bench& bench, const render::Camera& camera);
   void draw_jacobian(const Playground& playground, const render::Camera& camera);
-  /// Before its first row update, where nothing but scene and bars is shown: what is to be seen has yet to begin.
+  /// Before its first row update, where nothing but scene and bars is shown: what is to be seen has yet to
+  /// begin.
   bool is_before(const Playground& playground) const { return !has_panels_ && !playground.cursor(); }
   const PerRow<double>& impulses(const Playground& playground, int number) const;
   render::Bar bar_of(const Playground& playground, const BarLine& line) const;

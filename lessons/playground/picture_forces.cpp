@@ -16,8 +16,8 @@ using render::Point;
 
 constexpr double arrow_share = 0.5;  // of the usual length of arrows, where other panels show the same forces
 constexpr double velocity_share = 0.35;
-constexpr double shortest_arrow = 8;   // [px] as in render/arrow.cpp: a shorter one would be a dot
-constexpr double dot_share = 0.06;     // of a body's smaller side, for the radius of a dot
+constexpr double shortest_arrow = 8;  // [px] as in render/arrow.cpp: a shorter one would be a dot
+constexpr double dot_share = 0.06;    // of a body's smaller side, for the radius of a dot
 constexpr double least_dot = 1.5, largest_dot = 5;  // [px]
 
 /// Of the last update's row, as far as the update has come [N s].

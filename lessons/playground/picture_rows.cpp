@@ -104,7 +104,8 @@ ForceRange Picture::range_of(const Playground& playground) const {
   } else if (!shows_all_rows_ && !shows_rows(playground)) {
     double largest = 0;
     for (const BarLine& line : lines_) {
-      const double sum = std::abs(sum_of(line, look.impulse)), end = std::abs(sum_of(line, playground.ends()));
+      const double sum = std::abs(sum_of(line, look.impulse)),
+                   end = std::abs(sum_of(line, playground.ends()));
       largest = std::max({largest, sum, std::min(end, 2 * sum)});
     }
     range.most = rounded_up(1.02 * largest / dt, fine);
@@ -166,8 +167,8 @@ void Picture::draw_equation(const Playground& playground, const Rect& rect) {
   const double dt = look.given.dt, before = is_last ? look.last->impulse_before : now.impulse[lit];
   const double jv = is_last ? look.last->row_velocity : row_velocity(now, row);
   const double mass = inverse_effective_mass(look.given, row);
-  const double corrective = without_rounding(
-      mass > 0 ? (row.bias - jv - row.softness * before) / mass : 0, playground.forces().largest() * dt);
+  const double corrective = without_rounding(mass > 0 ? (row.bias - jv - row.softness * before) / mass : 0,
+                                             playground.forces().largest() * dt);
   const double after =
       is_last ? look.last->impulse_after : row.bounds.clamp(before + corrective, now.impulse);
   const bool is_soft = row.softness > 0;

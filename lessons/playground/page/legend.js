@@ -11,7 +11,7 @@ const meanings = [
   ["arrow velocity", "blue arrow, open head: velocity"],
   ["arrow external", "grey, dashed: the hand, a force from outside"],
   ["bar", "grey bar: what a row has given so far"],
-  ["tick", "black tick: where the sweeps end, which is the exact answer of this step"],
+  ["tick", "tick across a bar: where the sweeps end, which is the exact answer of this step"],
   ["box a", "blue body: body a of the row that is being solved"],
   ["box b", "ochre body: body b of that row"],
   ["box ground", "grey with hatch: it cannot move"],

@@ -49,7 +49,8 @@ class Quiz {
   update() {
     const { predicted, prediction, lit, diverged } = this.#app.core.numbers();
     const isGone = this.#row >= 0 ? predicted !== this.#row : this.#app.scene !== this.#offeredFor;
-    if (this.#asked && isGone) this.#end();
+    const isPast = this.#isRevealed && this.#app.player.isRunning;
+    if (this.#asked && (isGone || isPast)) this.#end();
     const isAsked = this.#asked !== null;
     if (!isAsked) this.#offer();
     else if (this.#row >= 0 && !this.#isRevealed && document.activeElement !== answer)
