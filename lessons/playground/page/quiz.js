@@ -116,7 +116,7 @@ class Quiz {
         return one;
       }),
     );
-    say("Choose one: then both are tried.");
+    say("Choose one: then all are tried.");
     this.#app.changed();
     this.#bringIntoView();
   }
