@@ -105,7 +105,23 @@ double widest_number(const BarSheet& sheet) {
   return std::ceil(widest);
 }
 
+// Of a column of values: the same for all numbers of usual length, so that bars keep their place.
+double column_width(const BarSheet& sheet) {
+  const Canvas& canvas = sheet.page.canvas();
+  TextStyle style = bar_text(sheet);
+  style.bold = true;
+  double widest = canvas.text_width("| 000", style);
+  for (const Bar& bar : sheet.chart.bars) {
+    widest = std::max(widest, canvas.text_width(column_number(sheet, end_of(bar)), style));
+    if (has_exact(bar))
+      widest = std::max(widest, canvas.text_width("| " + column_number(sheet, *bar.exact), style));
+  }
+  return std::ceil(widest) + text_gap;
+}
+
 void divide(BarSheet& sheet) {
+  const bool has_columns = sheet.chart.digits > 0;
+  if (has_columns) sheet.room.height -= 1.5 * sheet.page.tick().size;
   const Rect& room = sheet.room;
   const double count = sheet.chart.bars.size();
   sheet.pitch = std::min(largest_pitch, room.height / count);
@@ -113,8 +129,10 @@ void divide(BarSheet& sheet) {
   sheet.thickness = std::clamp(std::floor(part * sheet.pitch), 2.0, largest_thickness);
   sheet.text_size = std::clamp(std::floor(sheet.pitch / 1.2), 12.0, sheet.page.value().size);
   sheet.names = std::min(widest_name(sheet), 0.4 * room.width);
-  const double left = sheet.names + 2 * text_gap + std::min(widest_negative(sheet), 0.2 * room.width);
-  const double right = std::min(widest_number(sheet), 0.35 * room.width);
+  sheet.column = has_columns ? std::min(column_width(sheet), 0.2 * room.width) : 0;
+  const double negative = has_columns ? 0 : std::min(widest_negative(sheet), 0.2 * room.width);
+  const double left = sheet.names + 2 * text_gap + negative;
+  const double right = has_columns ? 2 * sheet.column : std::min(widest_number(sheet), 0.35 * room.width);
   const double height = sheet.pitch * count;
   sheet.plot = {std::round(room.x + left), room.y + (room.height - height) / 2,
                 std::max(1.0, std::floor(room.width - left - right)), height};
@@ -165,6 +183,15 @@ TextStyle added_text(const BarSheet& sheet) {
     style.color = sheet.color;
   }
   return style;
+}
+
+std::string column_number(const BarSheet& sheet, double value) {
+  const double largest = std::max(sheet.range.high, -sheet.range.low);
+  const double least = std::pow(10, std::floor(std::log10(largest)) - 3);  // what a column tells apart
+  if (std::abs(value) < 1e3 * largest) value = least * std::round(value / least);
+  const double size = std::abs(value);
+  const int whole = size >= 1 && size < 1e5 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  return significant(value, std::max(sheet.chart.digits, whole));
 }
 
 std::string exact_number(const BarSheet& sheet, const Bar& bar) {

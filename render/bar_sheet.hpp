@@ -26,6 +26,7 @@ struct BarSheet {
   double thickness = 0;  // [px] of a bar
   double text_size = 0;  // [px]
   int decimals = 0;      // of exact values
+  double column = 0;     // [px] width of a column of values, where there are any
   List<Rect> taken = {};
 };
 
@@ -54,6 +55,8 @@ bool has_room_between(const BarSheet& sheet, double size);
 TextStyle bar_text(const BarSheet& sheet);
 /// Of the active row's addition. In its colour only where that is large enough to be read.
 TextStyle added_text(const BarSheet& sheet);
+/// A value of a chart with columns.
+std::string column_number(const BarSheet& sheet, double value);
 std::string exact_number(const BarSheet& sheet, const Bar& bar);
 /// The number for a place away from its tick: "| 30", and "| 30 →" where the tick is beyond the range.
 std::string exact_note(const BarSheet& sheet, const Bar& bar);

@@ -158,9 +158,44 @@ void write_value(BarSheet& sheet, int row) {
         centered(style));
 }
 
+// The values at the right, in the same place whatever the bars are.
+void write_columns(BarSheet& sheet) {
+  Canvas& canvas = sheet.page.canvas();
+  const double right = sheet.room.x + sheet.room.width;
+  for (int row = 0; row < sheet.chart.bars.size(); ++row) {
+    const Bar& bar = sheet.chart.bars[row];
+    write_name(sheet, row);
+    TextStyle style = bar_text(sheet);
+    style.align = Align::right;
+    const double base = baseline_around(middle_of(sheet, row), style.size);
+    if (has_exact(bar)) canvas.text({right, base}, "| " + column_number(sheet, *bar.exact), style);
+    style.bold = bar.active;
+    const std::string now = has_value(bar) ? column_number(sheet, end_of(bar)) : "not a number";
+    canvas.text({right - sheet.column, base}, now, style);
+  }
+}
+
+// What the two ends of the range are, and 0.
+void write_range(const BarSheet& sheet) {
+  TextStyle style = sheet.page.tick();
+  style.align = Align::center;
+  const double base = sheet.plot.y + sheet.plot.height + 1.1 * style.size;
+  const auto write_at = [&](double value) {
+    sheet.page.canvas().text({x_of(sheet, value), base}, significant(value, 2), style);
+  };
+  write_at(0);
+  write_at(sheet.range.high);
+  if (x_of(sheet, 0) > sheet.plot.x + 4 * style.size) write_at(sheet.range.low);
+}
+
 }  // namespace
 
 void write_bar_texts(BarSheet& sheet) {
+  if (sheet.chart.digits > 0) {
+    write_columns(sheet);
+    write_range(sheet);
+    return;
+  }
   const List<Bar>& bars = sheet.chart.bars;
   List<int> order;  // the active row first: it is the one that must be read
   for (int row = 0; row < bars.size(); ++row) order.push_back(row);

@@ -26,6 +26,8 @@ struct BarChart {
   double smallest = 0;        // the value at the left end, not above 0; 0: from the data
   Color color = transparent;  // of what is added; transparent: the theme's normal force
   int decimals = 2;
+  int digits = 0;  // above 0: values stand in two columns at the right, of bars and of ticks, with so many
+                   // digits, to a thousandth of the range; and numbers below the two ends of the range
 };
 
 /// Where the bars of a chart are, for those who point at them.

@@ -143,6 +143,22 @@ const char* cairn_body_name(int body) {
   });
 }
 
+double cairn_fall(int world) {
+  return guarded(0.0, [&](Session& now) {
+    const Playground& p = now.playground;
+    if (world < 0 || world >= p.bench_count()) return 0.0;
+    const auto& begun = p.first().bodies;
+    int top = -1;
+    for (const BodyId body : begun.indices()) {
+      const bool is_higher = top < 0 || begun[body].pose.position.y() > begun[BodyId{top}].pose.position.y();
+      if (begun[body].type == cairn::BodyType::dynamic && is_higher) top = body.index;
+    }
+    if (top < 0) return 0.0;
+    const auto& then = p.bench(world).snapshot().bodies;
+    return begun[BodyId{top}].pose.position.y() - then[BodyId{top}].pose.position.y();
+  });
+}
+
 const double* cairn_rows(void) {
   return listed(no_numbers, [](const Playground& p) {
     const SolveLook& look = p.look(0);
@@ -215,6 +231,12 @@ int cairn_resize(int width, int height, double scale) {
 }
 int cairn_theme(const char* theme) {
   return done([&](Playground&) { picture().choose_theme(given(theme, "theme", "theme")); });
+}
+int cairn_show(int has_panels, int all_rows) {
+  return done([&](Playground&) { picture().show(has_panels != 0, all_rows != 0); });
+}
+int cairn_moment(double share) {
+  return done([&](Playground&) { picture().set_moment(share); });
 }
 int cairn_draw(void) {
   return done([](Playground& p) {

@@ -86,6 +86,10 @@ int cairn_history_count(void);
 /** What a body is called. */
 const char* cairn_body_name(int body);
 
+/** How far the body that was uppermost at the start has come down since [m], in the first world (0) or in that of the
+ *  second solver (1); 0 where there is none. */
+double cairn_fall(int world);
+
 /** Of each row of the step under way, or else of the next one: its impulse now over the step, lambda [N] (or N m); where
  *  the sweeps would end if they went on; what the second solver gives; kind (0 joint, 1 normal, 2 friction); body a; body
  *  b. */
@@ -115,6 +119,11 @@ const char* cairn_fingerprint(void);
 int cairn_resize(int width, int height, double scale);
 /** Which picture: "light" or "dark". */
 int cairn_theme(const char* theme);
+/** What stands beside scene and bars: residuals and the equation of a row (1 or 0); and whether all rows have bars, those
+ *  of friction, too (1), or contacts take one each between steps (0). */
+int cairn_show(int has_panels, int all_rows);
+/** How much of the last row update is drawn, from 0 to 1: a page that moves draws it several times. */
+int cairn_moment(double share);
 /** Draws the picture of now. In a browser: on the canvas with the id "cairn". */
 int cairn_draw(void);
 /** What is at a place of the picture: kind (0 nothing, 1 the scene, 2 a row's bar), number (body, -1 for none; or row), x

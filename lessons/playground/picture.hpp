@@ -5,7 +5,9 @@
 #include <string>
 
 #include <cairn/math/list.hpp>
+#include "lessons/playground/bar_lines.hpp"
 #include "lessons/playground/playground.hpp"
+#include "render/arrow.hpp"
 #include "render/bars.hpp"
 #include "render/camera.hpp"
 #include "render/page.hpp"
@@ -32,6 +34,12 @@ class Picture {
   /// "light" or "dark". @throws std::invalid_argument for another word.
   void choose_theme(const std::string& theme);
 
+  /// Whether residuals and the equation of a row are beside scene and bars, as at first; and whether rows of
+  /// friction have bars, and every row its own, too.
+  void show(bool has_panels, bool all_rows);
+  /// How much of the last row update is drawn, from 0 to 1, as at first: for a picture that moves.
+  void set_moment(double share);
+
   void draw(const Playground& playground);
   /// Of the picture that was drawn last.
   PictureSpot at(const Playground& playground, const render::Point& place) const;
@@ -51,8 +59,17 @@ class Picture {
   Panels panels(const Playground& playground) const;
   void draw_scene(const Playground& playground, int number, const render::Rect& rect);
   void draw_forces(const Playground& playground, int number, const render::Camera& camera);
+  void draw_velocities(const Playground& playground, int number, const render::Camera& camera);
   void draw_hand(const Bench& bench, const render::Camera& camera);
   void draw_jacobian(const Playground& playground, const render::Camera& camera);
+  /// Before its first row update, where nothing but scene and bars is shown: what is to be seen has yet to
+  /// begin.
+  bool is_before(const Playground& playground) const { return !has_panels_ && !playground.cursor(); }
+  const PerRow<double>& impulses(const Playground& playground, int number) const;
+  render::Bar bar_of(const Playground& playground, const BarLine& line) const;
+  void choose_lines(const Playground& playground, const render::Rect& rect);
+  std::string bars_title(const Playground& playground) const;
+  ForceRange range_of(const Playground& playground) const;
   void draw_rows(const Playground& playground, const render::Rect& rect);
   void draw_residuals(const Playground& playground, const render::Rect& rect);
   void draw_equation(const Playground& playground, const render::Rect& rect);
@@ -61,8 +78,12 @@ class Picture {
   std::unique_ptr<render::Page> page_;
   List<render::Camera> cameras_;
   render::BarPlaces bar_places_;
-  int first_bar_ = 0;  // the row of the first bar
+  List<BarLine> lines_;
+  int first_bar_ = 0;  // the line of the first bar
   int bar_count_ = 0;
+  bool has_panels_ = true;
+  bool shows_all_rows_ = false;
+  double moment_ = 1;
 };
 
 }  // namespace cairn::playground

@@ -270,4 +270,19 @@ TEST_CASE("the bars of a stack of three boxes look as they did") {
   test::check_golden("bars_light", page.canvas().read());
 }
 
+TEST_CASE("values in columns leave bars their place, and half of the panel") {
+  const auto places_of = [](double value, double end) {
+    BarPlaces places;
+    BarChart chart{.largest = 100, .digits = 2};
+    for (int i = 0; i < 3; ++i)
+      chart.bars.push_back({.name = "1 normal", .before = value, .exact = end, .active = i == 0});
+    picture_of_page(light_theme(), [&](Page& page) { places = draw_bars(page, {0, 0, 640, 360}, chart); });
+    return places;
+  };
+  const BarPlaces few = places_of(4, 9), many = places_of(33.333333, -0.00123);
+  CHECK(few.plot.x == many.plot.x);
+  CHECK(few.plot.width == many.plot.width);
+  CHECK(few.plot.width > 0.5 * 640);
+}
+
 }  // namespace cairn::render

@@ -7,11 +7,13 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { check, count, file, screenshots } from "./browser_tab.mjs";
 import { checkAllControls } from "./browser_controls.mjs";
+import { checkFirst } from "./browser_first.mjs";
 import { checkGiven } from "./browser_given.mjs";
 import { checkLife } from "./browser_life.mjs";
 import { checkLooks } from "./browser_looks.mjs";
 import { checkMouse } from "./browser_mouse.mjs";
 import { checkPlot } from "./browser_plot.mjs";
+import { checkQuestions } from "./browser_questions.mjs";
 import { checkStill } from "./browser_still.mjs";
 import { checkWays } from "./browser_ways.mjs";
 
@@ -33,10 +35,12 @@ const browser = await chromium.launch({
 try {
   check(statSync(file).size <= largest, `the file has at most ${largest} bytes`, String(statSync(file).size));
   await checkAllControls(browser);
+  await checkFirst(browser);
   await checkGiven(browser);
   await checkLife(browser);
   await checkMouse(browser);
   await checkPlot(browser);
+  await checkQuestions(browser);
   await checkStill(browser);
   await checkWays(browser);
   await checkLooks(browser);

@@ -84,7 +84,18 @@ const controls = {
   "question-see": { before: press("#question-try"), holds: () => cairn.numbers().revealed === 1 },
   "question-try": { holds: () => cairn.numbers().predicted >= 0 },
   "question-lit": { before: press("#row"), holds: () => cairn.numbers().predicted === 0 },
-  "question-next": { holds: () => /uppermost/.test(document.getElementById("question-text").textContent) },
+  "question-next": { holds: () => /Warm, each/.test(document.getElementById("question-text").textContent) },
+  "challenge-list": { holds: () => /Five boxes/.test(document.getElementById("challenge-text").textContent) },
+  "challenge-begin": {
+    holds: () => cairn.settings().find(({ name }) => name === "warm").value === "off",
+  },
+  "challenge-check": { holds: () => /^(Done|Not yet)\./.test(document.getElementById("status").textContent) },
+  race: {
+    holds: () => cairn.settings().find(({ name }) => name === "other").value === "jacobi-split",
+  },
+  "all-rows": { before: press("#step"), holds: () => document.getElementById("all-rows").checked },
+  everything: { in: "", holds: () => document.getElementById("side").getClientRects().length > 0 },
+  legend: { holds: () => document.getElementById("legend").open },
   whole: { in: "#scene=stack&embed=1", does: (tab) => tab.context().waitForEvent("page", { timeout: 3000 }) },
   "all-recommended": {
     before: other,
@@ -109,7 +120,8 @@ const found = () =>
     .filter((each) => !each.closest(".field"))
     .map((each) => each.id || each.parentElement.id);
 
-const folded = ["settings-rest", "scene-file", "plan-part"];
+const folded = ["settings-rest", "scene-file", "plan-part", "legend"];
+const lists = ["scene", "challenge-list"];
 const selectorOf = (id) => (folded.includes(id) ? `#${id} > summary` : `#${id}`);
 
 /** Chooses the next word of a list. */
@@ -174,7 +186,7 @@ async function useOne(tab, id, way) {
   const selector = selectorOf(id);
   const done = control.does?.(tab);
   if (control.text) await write(tab, selector, control.text, way);
-  else if (id === "scene") await way.choose(tab, selector);
+  else if (lists.includes(id)) await way.choose(tab, selector);
   else await way.use(tab, selector);
   const claim = `${id} works by ${way === mouse ? "mouse" : "keyboard"}`;
   if (done) return check(Boolean(await done.catch(() => null)), claim);

@@ -37,7 +37,7 @@ export async function through(bytes, stream, most = Infinity) {
 }
 
 /** @param {string} base64 */
-export function bytesOf(base64) {
+function bytesOf(base64) {
   return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 }
 

@@ -6,6 +6,7 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { lettersOf } from "./packing.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const [built, scenes, out] = process.argv.slice(2);
@@ -30,15 +31,17 @@ const script = (content, attributes = "") =>
   `<script${attributes}>${content.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--")}</script>`;
 
 const texts = Object.fromEntries(
-  readdirSync(scenes)
-    .filter((name) => name.endsWith(".toml"))
-    .sort()
-    .map((name) => [basename(name, ".toml"), readFileSync(join(scenes, name), "utf8")]),
+  [here, scenes].flatMap((folder) =>
+    readdirSync(folder)
+      .filter((name) => name.endsWith(".toml"))
+      .sort()
+      .map((name) => [basename(name, ".toml"), readFileSync(join(folder, name), "utf8")]),
+  ),
 );
-const packed = (content) => gzipSync(content, { level: 9 }).toString("base64");
+const packed = (content) => lettersOf(gzipSync(content, { level: 9, memLevel: 9 }));
 const wasm = packed(readFileSync(join(built, "cairn_playground.wasm")));
 const parts = {
-  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}${esbuild("plot.css")}</style>`,
+  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}${esbuild("plot.css")}${esbuild("beginning.css")}</style>`,
   scripts: [
     script(packed(JSON.stringify(texts)), ' type="text/plain" id="scenes"'),
     script(wasm, ' type="text/plain" id="wasm"'),

@@ -169,6 +169,8 @@ export class Core {
   remove = (body) => this.#try("remove", body);
   /** @type {(a: number, b: number, x: number, y: number) => boolean} */
   pin = (a, b, x, y) => this.#try("pin", a, b, x, y);
+  /** How far the uppermost body has come down since the start [m]. @type {(world: number) => number} */
+  fall = (world) => this.#call("fall", world);
   /** @type {(body: number) => string} */
   bodyName = (body) => this.#text("body_name", body);
   /** @type {(row: number) => void} */
@@ -184,6 +186,10 @@ export class Core {
   };
   /** @type {(isMoving: boolean) => void} */
   move = (isMoving) => void this.#try("move", Number(isMoving));
+  /** Whether residuals and an equation are shown, and bars of all rows. @type {(panels: number, allRows: number) => boolean} */
+  show = (panels, allRows) => this.#try("show", panels, allRows);
+  /** How much of the last row update is drawn. @type {(share: number) => boolean} */
+  moment = (share) => this.#try("moment", share);
   /** @type {(theme: string) => boolean} */
   theme = (theme) => this.#try("theme", theme);
 

@@ -1,15 +1,20 @@
 // The playground begins here: takes the core out of the page, opens what the address asks for, and sets up all parts.
 import { App } from "./app.js";
-import { bytesOf, readAddress, through } from "./address.js";
+import { readAddress, through } from "./address.js";
+import { bytesOfLetters } from "./packing.mjs";
 import { Core } from "./core.js";
 import { Tools } from "./tools.js";
 import { button, find, show } from "./dom.js";
 import { excerpt, number, say, sayRefusal } from "./words.js";
 import { sceneFiles, setUpScenes } from "./scenes.js";
+import { setUpBeginning } from "./beginning.js";
+import { setUpChallenges } from "./challenges.js";
 import { setUpControls } from "./controls.js";
 import { setUpCursor } from "./cursor.js";
 import { setUpGoing } from "./going.js";
 import { setUpKeys } from "./keys.js";
+import { setUpLegend } from "./legend.js";
+import { setUpMotion } from "./motion.js";
 import { setUpPlot } from "./plot.js";
 import { setUpPointer } from "./pointer.js";
 import { setUpQuiz } from "./quiz.js";
@@ -26,7 +31,7 @@ const makeCairn =
 
 /** What the bundler has put into the page. @param {string} id */
 const unpacked = (id) =>
-  through(bytesOf(find(id, HTMLScriptElement).textContent ?? ""), new DecompressionStream("gzip"));
+  through(bytesOfLetters(find(id, HTMLScriptElement).textContent ?? ""), new DecompressionStream("gzip"));
 
 async function loadCore() {
   return new Core(await makeCairn({ wasmBinary: await unpacked("wasm") }));
@@ -34,13 +39,17 @@ async function loadCore() {
 
 /**
  * The height of a picture of that width [px]: a narrow one has its rows below the scene; a wide one leaves room for the
- * buttons.
+ * buttons. What is asked stands on the screen with it.
  * @param {number} width
  */
 function heightFor(width) {
-  if (width < 600) return Math.round(1.6 * width);
-  if (width < 900) return Math.round(0.7 * width);
-  return Math.round(Math.max(Math.min(0.6 * width, window.innerHeight - 250), 440));
+  const { classList } = document.body;
+  const below = classList.contains("asking") ? find("question", HTMLElement).offsetHeight + 24 : 280;
+  const isBounded = classList.contains("asking") || (width < 600 && classList.contains("beginning"));
+  const most = isBounded ? Math.max(window.innerHeight - below, 1.1 * Math.min(width, 400)) : Infinity;
+  if (width < 600) return Math.round(Math.min(1.6 * width, most));
+  if (width < 900) return Math.round(Math.min(0.7 * width, most));
+  return Math.round(Math.min(Math.max(Math.min(0.6 * width, window.innerHeight - 250), 440), most));
 }
 
 /** The picture has the size that the page has for it. @param {App} app */
@@ -140,8 +149,7 @@ function setAsAddressed({ core }, { settings }) {
 }
 
 /**
- * Opens what the address asks for. What somebody leads to begins at rest, as a reader expects who has yet to press a
- * button; the page by itself shows that it moves.
+ * Opens what the address asks for, at rest, as a reader expects who has yet to press a button.
  * @param {App} app
  * @param {Address} address
  */
@@ -156,15 +164,12 @@ function openAddress(app, address) {
   }
   words ||= address.trouble;
   words = setAsAddressed(app, address) || words;
-  const wantsLessMotion = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-  const isStill = address.isGiven || wantsLessMotion;
   if (words) sayRefusal(words);
   else if (address.at > 0) say(`Going to step ${address.at}.`);
-  else if (isStill) say("It stands still. Press Run, or go row by row.");
-  else say("It runs. Pull a body, or press Pause and go row by row.");
+  else if (address.isGiven) say("It stands still. Press Run, or go row by row.");
+  else say("Nothing holds the boxes yet. Press One row: the first contact pushes.");
   if (address.at > 0) player.goTo(address.at);
-  else if (isStill) player.pause();
-  else player.run();
+  else player.pause();
   app.changed();
 }
 
@@ -205,11 +210,15 @@ async function begin() {
   setUpGoing(app);
   setUpPlot(app);
   setUpQuiz(app);
+  setUpChallenges(app);
   setUpButtons(app);
+  setUpLegend();
   setUpNumbers(app);
   const address = await followAddress(app);
   setUpSaving(app, address.isEmbedded);
   if (address.isEmbedded) embed(app, address);
+  setUpBeginning(app, address.isGiven);
+  setUpMotion(app);
   setUpSize(app);
   window.addEventListener("hashchange", () => followAddress(app));
   Object.assign(globalThis, { cairn: core }); // for those who look under the bonnet

@@ -76,16 +76,3 @@ export function litWords(core, index) {
   const end = predicted === index && revealed === 0 ? "" : `, and ends at ${number(row.end)} N`;
   return `Lit: ${rowWords(core, index)}. It gives ${number(row.now)} N${end}.`;
 }
-
-/**
- * How far off a prediction was.
- * @param {number} said [N]
- * @param {number} end [N]
- */
-export function offWords(said, end) {
-  const off = Math.abs(said - end);
-  const ends = `You said ${number(said)} N. The row ends at ${number(end)} N`;
-  if (off <= 0.02 * Math.abs(end) || off < 0.005) return `${ends}: you have it.`;
-  if (Math.abs(end) < 0.005) return `${ends}: ${number(off)} N off.`;
-  return `${ends}: ${number(off)} N off, ${Math.round((100 * off) / Math.abs(end))} %.`;
-}
