@@ -51,7 +51,7 @@ static void film_09(Motion& motion) {
   world.bodies = tower_above_ground(10, 0, 0);
   world.bodies[0] = make_box(40, 0.5, 0, 0, -0.25);
   world.bodies.push_back(make_box(1, 1, 0, -6, 6));
-  motion.view(-7, -0.5, 15, 11);
+  motion.view(-6.8, -0.5, 11.2, 11);
   for (int k = 0; k <= standing + falling; ++k) {
     if (k % 8 == 0) {
       motion.frame(k * world.dt);
@@ -61,7 +61,7 @@ static void film_09(Motion& motion) {
     }
     if (k == standing) {
       world.bodies[11] = make_box(1, 1, 6, -6, 6);
-      world.bodies[11].velocity = {10, 3, 0};
+      world.bodies[11].velocity = {8, 3.5, 0};
       world.rows.clear();
     }
     if (k < standing)
