@@ -81,7 +81,7 @@ compile_grader() {
 #include \"stages/0$1.cpp\"
 extern \"C\" int __wrap_main() {
   return cairn::reader_code::graded([] {
-    cairn::Grade grade({.width = 70, .digits = 7, .stage = $1});
+    cairn::Grade grade({.width = 70, .digits = 7, .stage = $1, .only_first = true});
     stage_0$1(grade);
     return grade.passed() ? 0 : 1;
   });
