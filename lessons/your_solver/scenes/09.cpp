@@ -1,7 +1,7 @@
 // Stage 09, filmed: step() lets ten boxes stand. Then one of 6 kg is thrown at them, friction rows are added,
 // and they fall.
 #include "08.cpp"
-#include "touching.hpp"
+#include "touching.cpp"
 
 namespace cairn::filmed {
 

@@ -1,6 +1,5 @@
 // Where two boxes touch, however they are turned: the stages find contacts of upright boxes alone. It needs
 // the reader's Body.
-#pragma once
 
 namespace cairn::filmed {
 
