@@ -1,77 +1,68 @@
-// Exercise 00, graded: a box of 2 kg, thrown, pushed and turned for 60 steps, one of 4 kg under the same
-// force, and the first one in half as long steps.
+// Exercise 00, graded: one step and two of a box that is thrown, pushed and turned, a heavier one, shorter
+// steps, and sixty steps.
 #include "exercise.cpp"
 
 namespace cairn::exercise00 {
 namespace {
 
-constexpr double dt = 0.02, duration = 1.2;  // [s] 60 steps
-constexpr double rounding = 1e-12;  // 120 sums of numbers below 10, each with an error of at most 1e-15
+constexpr double dt = 0.02;         // [s]
+constexpr double rounding = 1e-12;  // 180 sums of numbers below 10, each with an error of at most 1e-15
 using Numbers = FixedList<double, 3>;
 constexpr Numbers start_place = {-4, 1, 0.5}, start_velocity = {4, 5, -1}, force = {1, -16, 0.4};
 constexpr Numbers box_of_2_kg = {0.5, 0.5, 3}, box_of_4_kg = {0.25, 0.25, 1.5};  // unit boxes: I = m/6
 
 enum Axis { x, y, angle };
 
-Body flown(const Numbers& inverse_mass, double of_dt = dt) {
-  Body body{.place = start_place, .velocity = start_velocity, .inverse_mass = inverse_mass};
-  for (int i = 0; i < 60; ++i) integrate(body, force, of_dt);
+/// From a place to which the velocity of the beginning has led in one step.
+Body flown(const Numbers& inverse_mass, int steps, double of_dt = dt) {
+  Body body{.place = start_place, .inverse_mass = inverse_mass};
+  for (int i = 0; i < 3; ++i) body.before[i] = start_place[i] - start_velocity[i] * of_dt;
+  for (int k = 0; k < steps; ++k) advance(body, force, of_dt);
   return body;
 }
 
-/// What one of its rates is at the end, for a box of 2 kg.
-ExpectedNumber rate_after(const char* what, Axis axis) {
-  const double before = start_velocity[axis], w = box_of_2_kg[axis], f = force[axis];
+/// Where a box is after some steps: each velocity of the two lines of the page, times dt, added up.
+double place_by_formula(Axis axis, double acceleration, int steps, double of_dt = dt) {
+  return start_place[axis] + start_velocity[axis] * steps * of_dt +
+         acceleration * of_dt * of_dt * steps * (steps + 1) / 2;
+}
+
+ExpectedNumber after_one(const char* what, Axis axis, const Numbers& inverse_mass, double of_dt = dt) {
+  const double w = inverse_mass[axis], f = force[axis], old = start_place[axis],
+               moved = start_velocity[axis] * of_dt, change = w * f * of_dt * of_dt;
+  const char* const two_dt = "dt comes in twice: once for the velocity, once for the place.";
   return {
       .what = what,
-      .value = before + w * f * duration,
+      .value = old + moved + change,
       .misconceptions =
-          {{before, "The velocity has not changed: all three numbers of it do."},
-           {before + w * f * 60, "An acceleration times dt is a change of velocity."},
-           {before + f * duration, "That is a force times dt: M⁻¹ makes a change of velocity of it."},
-           {before + f / w * duration, "M⁻¹ is inverted already: multiply by it."},
-           {before - w * f * duration, "The sign: the force comes with its own."},
-           {w * f * dt, "Add to the velocity: do not replace it."},
-           {before + (w * f - 10) * duration, "The force is all that acts: add no gravity to it."},
-           {before + box_of_2_kg[x] * f * duration, "θ has its own inverse mass, 1/I, the third number."}},
+          {{old, "The place has not changed: all three numbers of it do."},
+           {old + change, "No force stops it: it goes on moving as it moved in the last step."},
+           {old - moved + change, "The sign: what it has moved leads from before to place."},
+           {old + moved, "The force has not changed the velocity."},
+           {old + moved + w * f * of_dt, two_dt},
+           {old + moved + w * f, two_dt},
+           {old + moved + change / 2, "That is the parabola. Without the half it is semi-implicit Euler."},
+           {old + moved + box_of_2_kg[axis] * f * of_dt * of_dt,
+            "This box has 4 kg: take its own inverse mass."},
+           {old + moved + f * of_dt * of_dt, "That is a force times dt²: M⁻¹ makes a change of place of it."},
+           {old + moved + f / w * of_dt * of_dt, "M⁻¹ is inverted already: multiply by it."},
+           {old + moved + inverse_mass[x] * f * of_dt * of_dt, "θ has its own inverse mass, 1/I."},
+           {old + moved - change, "The sign: the force comes with its own."},
+           {moved + change, "Add to the place: do not replace it."},
+           {old + moved + (w * f - 10) * of_dt * of_dt,
+            "The force is all that acts: add no gravity to it."},
+           {old + moved + w * f * dt * dt, "The step has 0.008 s here: take dt, not a number of your own."}},
       .tolerance = rounding};
 }
 
-/// Where a box is at the end, on one axis.
-ExpectedNumber place_after(const char* what, Axis axis, const Numbers& inverse_mass) {
-  const double acceleration = inverse_mass[axis] * force[axis];
-  const double exact =
-      start_place[axis] + start_velocity[axis] * duration + acceleration * duration * duration / 2;
-  const double error = acceleration * dt * duration / 2;  // of either Euler
-  const double right = exact + error;
-  const double other = box_of_2_kg[axis] * force[axis];
-  return {
-      .what = what,
-      .value = right,
-      .misconceptions =
-          {{exact - error, "That is explicit Euler: the place was moved with the old velocity."},
-           {exact, "That is the parabola itself: right, and not what the engine does."},
-           {start_place[axis], "The place has not changed: all three numbers of it do."},
-           {start_place[axis] + (right - start_place[axis]) / dt,
-            "A velocity times dt is a change of place."},
-           {start_place[axis] + start_velocity[axis] * duration, "The force has not changed the velocity."},
-           {start_place[axis] - (right - start_place[axis]),
-            "The sign: a body goes where its velocity points."},
-           {(start_velocity[axis] + acceleration * duration) * dt, "Add to the place: do not replace it."},
-           {right + (other - acceleration) * (duration + dt) * duration / 2,
-            "This box has 4 kg: take its own inverse mass."}},
-      .tolerance = rounding};
-}
-
-/// Where the box of 2 kg is after 60 steps of half the length.
-ExpectedNumber place_after_half(const char* what) {
-  const double half = dt / 2, time = duration / 2, acceleration = box_of_2_kg[y] * force[y];
-  const double now = start_place[y] + start_velocity[y] * time;
-  const double with_the_other = start_place[y] + start_velocity[y] * duration;
+ExpectedNumber after_two(const char* what) {
+  const double acceleration = box_of_2_kg[y] * force[y], change = acceleration * dt * dt;
+  const double first = place_by_formula(y, acceleration, 1), moved = start_velocity[y] * dt;
   return {.what = what,
-          .value = now + acceleration * (time + half) * time / 2,
-          .misconceptions = {{with_the_other + acceleration * (duration + dt) * duration / 2,
-                              "The step has 0.01 s here: take dt, not a number of your own."}},
+          .value = place_by_formula(y, acceleration, 2),
+          .misconceptions = {{first + change, "Keep the old place in before, then change it."},
+                             {first + (first - start_place[y] + moved) + change,
+                              "before has to become the place that this step began with."}},
           .tolerance = rounding};
 }
 
@@ -79,22 +70,25 @@ ExpectedNumber place_after_half(const char* what) {
 
 Exercise exercise() {
   return {.lesson = 0,
-          .task = "One step of semi-implicit Euler for a body: equation (12), and then its place.",
+          .task = "One step of semi-implicit Euler for a body that stores two places, and no velocity.",
           .file = "lessons/00_one_body/exercise.cpp",
-          .hints = {"Which of the two has to be new when the other is computed?",
-                    "The velocity first: it grows by M⁻¹ f dt, number by number.",
-                    "Then the place grows by the new velocity times dt, all three numbers at once."},
+          .hints = {"How far would the body go in this step if no force acted on it?",
+                    "The page's second line moves it by the new velocity times dt. Put the first line into it.",
+                    "Do it by hand for the page's box: before (−4.08, 0.88), place (−4, 1), next y = 1.116."},
           .grade = [](Grade& grade) {
-            const Body body = flown(box_of_2_kg), heavy = flown(box_of_4_kg);
-            const Body shorter = flown(box_of_2_kg, dt / 2);
-            grade.number(rate_after("2 kg, 60 steps of 0.02 s: v_y (m/s)", y), body.velocity[y]);
-            grade.number(rate_after("2 kg, 60 steps of 0.02 s: ω (rad/s)", angle), body.velocity[angle]);
-            grade.number(place_after("2 kg, 60 steps of 0.02 s: x (m)", x, box_of_2_kg), body.place[x]);
-            grade.number(place_after("2 kg, 60 steps of 0.02 s: y (m)", y, box_of_2_kg), body.place[y]);
-            grade.number(place_after("2 kg, 60 steps of 0.02 s: θ (rad)", angle, box_of_2_kg),
+            const Body body = flown(box_of_2_kg, 1), heavy = flown(box_of_4_kg, 1);
+            grade.number(after_one("2 kg, one step of 0.02 s: x (m)", x, box_of_2_kg), body.place[x]);
+            grade.number(after_one("2 kg, one step of 0.02 s: y (m)", y, box_of_2_kg), body.place[y]);
+            grade.number(after_one("2 kg, one step of 0.02 s: θ (rad)", angle, box_of_2_kg),
                          body.place[angle]);
-            grade.number(place_after("4 kg, the same force: y (m)", y, box_of_4_kg), heavy.place[y]);
-            grade.number(place_after_half("2 kg, 60 steps of 0.01 s: y (m)"), shorter.place[y]);
+            grade.number(after_one("4 kg, the same force: y (m)", y, box_of_4_kg), heavy.place[y]);
+            grade.number(after_one("2 kg, one step of 0.008 s: y (m)", y, box_of_2_kg, 0.4 * dt),
+                         flown(box_of_2_kg, 1, 0.4 * dt).place[y]);
+            grade.number(after_two("2 kg, two steps of 0.02 s: y (m)"), flown(box_of_2_kg, 2).place[y]);
+            grade.number({.what = "2 kg, 60 steps of 0.02 s: y (m)",
+                          .value = place_by_formula(y, box_of_2_kg[y] * force[y], 60),
+                          .tolerance = rounding},
+                         flown(box_of_2_kg, 60).place[y]);
           }};
 }
 

@@ -1,4 +1,4 @@
-// Exercise 03. Write what a row asks for, with slop and a limit. Then: bash lessons/run check 3
+// Exercise 03. Write the largest β with which a ball does not jump. Then: bash lessons/run check 3
 #include <algorithm>
 #include <cmath>
 
@@ -6,23 +6,22 @@
 
 namespace cairn::exercise03 {
 
-/// How a contact removes errors.
-struct Recovery {
-  double beta = 0;       // share of the error that each step removes
-  double slop = 0;       // [m] an error up to this may stay
-  double max_speed = 0;  // [m/s] zeta is not above this
-  double dt = 0;         // [s]
+/// A ball at rest inside the ground, and how its steps are made.
+struct Sunk {
+  double depth = 0;    // [m] inside the ground, above 0
+  double slop = 0;     // [m] a depth up to this may stay: β takes its share of what is deeper
+  double gravity = 0;  // [m/s²]
+  double dt = 0;       // [s]
 };
 
-// zeta [m/s] of a contact that is `depth` m inside, equation (7): the separation speed that its row asks
-// for. 0 where the depth is within the slop. Bodies that are apart (a depth below 0) get 0 here, too: how
-// fast they may close in, as the page's row has it, is left out.
-double wanted_speed(double depth, const Recovery& recovery) {
-  double zeta = std::nan("");
+// The largest β from 0 to 1 with which the ground still pushes in step 2, or would just not have to. A ball
+// that is not deeper than the slop is not moved by any β.
+double largest_beta(const Sunk& ball) {
+  double beta = std::nan("");
   // Your code begins here: one or two lines.
 
   // Your code ends here.
-  return zeta;
+  return beta;
 }
 
 }  // namespace cairn::exercise03

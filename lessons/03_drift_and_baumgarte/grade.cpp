@@ -1,116 +1,86 @@
-// Exercise 03, graded: single values, two time steps, and a box that settles.
+// Exercise 03, graded: single values, and the second step of a ball with the β that was found.
 #include "exercise.cpp"
 
 namespace cairn::exercise03 {
 namespace {
 
-constexpr double few_roundings = 1e-14;  // of numbers near 1, after at most fifty operations
-constexpr double no_limit = std::numeric_limits<double>::infinity();
-const char* const slop_is_depth = "The slop is a depth: subtract it from the depth, not from a speed.";
-const char* const too_fast = "max_speed is the most: take the smaller of the two.";
-const char* const apart = "Bodies that are apart: the row must not pull bodies together.";
+constexpr double few_roundings = 1e-14;  // of numbers near 1, after at most a dozen operations
+const char* const not_below_slop =
+    "β takes its share of what is deeper than the slop: subtract the slop from the depth.";
 
-/// What is left of a depth after some steps without gravity, each of which moves by zeta dt.
-double left_of(double depth, const Recovery& recovery, int steps) {
-  for (int i = 0; i < steps; ++i) depth -= wanted_speed(depth, recovery) * recovery.dt;
-  return depth;
-}
-
-ExpectedNumber without_slop(const char* what, double depth, const Recovery& r) {
-  const double right = r.beta * depth / r.dt;
+/// A page's ball, with numbers of its own.
+ExpectedNumber without_slop(const char* what, const Sunk& ball) {
+  const double right = ball.dt * std::sqrt(ball.gravity / ball.depth);
+  const char* const fall = "There is no fall here, and no ½: the page has d ≤ g Δt²/β².";
   return {
       .what = what,
       .value = right,
-      .misconceptions = {{-right, "The sign: c is −depth, and ζ = −β c / Δt."},
-                         {r.beta * depth, "A speed is a distance over Δt."},
-                         {depth / r.dt, "Only the share β of the error, in each step."},
-                         {(1 - r.beta) * depth / r.dt, "β is the share that goes, not the one that stays."},
-                         {right / r.dt, "One Δt too many: a speed is a distance over Δt."},
-                         {no_limit, too_fast},
-                         {right * r.dt * r.dt, "Divide by Δt: a short step has to be fast to get as far."}},
+      .misconceptions = {{right * right, "That is β². Take the root."},
+                         {1, "Try it: with β = 1 the ball of the page has to be less deep than 4 mm."},
+                         {right * std::sqrt(2), fall},
+                         {right / std::sqrt(2), fall},
+                         {right * std::sqrt(10 / ball.gravity),
+                          "There is less gravity here: take the gravity of the ball."},
+                         {right * 0.02 / ball.dt, "The step is not 0.02 s here: take the dt of the ball."}},
       .tolerance = few_roundings};
 }
 
-void grade_slop(Grade& grade, const Recovery& sloppy) {
-  grade.number(
-      {.what = "0.105 m deep with a slop of 5 mm: zeta (m/s)",
-       .value = 1,
-       .misconceptions = {{1.05, "Subtract the slop: only what is deeper is taken back."},
-                          {1.045, slop_is_depth},
-                          {0.8, "β takes its share of what is deeper than the slop: subtract first."},
-                          {1.1, "The slop makes the error smaller, not larger."}},
-       .tolerance = few_roundings},
-      wanted_speed(0.105, sloppy));
-  grade.number(
-      {.what = "0.004 m deep with a slop of 5 mm: zeta (m/s)",
-       .value = 0,
-       .misconceptions = {{-0.01, "Not below 0: the row must not pull bodies together."},
-                          {0.035, slop_is_depth},
-                          {0.04, "Within the slop ζ is 0."},
-                          {0.05, "Within the slop ζ is 0: the least that is left of the depth is 0."}},
-       .tolerance = few_roundings},
-      wanted_speed(0.004, sloppy));
-  grade.number(
-      {.what = "not touching, 0.01 m apart: zeta (m/s)",
-       .value = 0,
-       .misconceptions = {{-0.1, apart},
-                          {-0.15, apart},
-                          {0.05, "Bodies that are apart are no error: where the depth is below 0, ζ is 0."},
-                          {0.1, "Bodies that are apart are no error: where the depth is below 0, ζ is 0."}},
-       .tolerance = few_roundings},
-      wanted_speed(-0.01, sloppy));
+void grade_slop(Grade& grade) {
+  const Sunk deep{.depth = 0.105, .slop = 0.005, .gravity = 10, .dt = 0.02};
+  const double forgotten = 0.02 * std::sqrt(10 / 0.105);
+  grade.number({.what = "105 mm deep with a slop of 5 mm: β",
+                .value = 0.2,
+                .misconceptions = {{forgotten, not_below_slop},
+                                   {forgotten - 0.005, not_below_slop},
+                                   {0.02 * std::sqrt(10 / 0.11), not_below_slop}},
+                .tolerance = few_roundings},
+               largest_beta(deep));
+  grade.number({.what = "4 mm deep with a slop of 5 mm: β",
+                .value = 1,
+                .misconceptions = {{std::nan(""),
+                                    "A number below 0 has no root: what is deeper than the slop is 0 here."},
+                                   {0, "Within the slop the ball is not moved by any β: the largest is 1."}},
+                .tolerance = few_roundings},
+               largest_beta({.depth = 0.004, .slop = 0.005, .gravity = 10, .dt = 0.02}));
 }
 
-void grade_limit(Grade& grade, const Recovery& limited) {
-  const char* const to_nothing = "What is too fast goes to max_speed, not to 0.";
-  const bool stops = wanted_speed(0.1, limited) == 0;
-  grade.number({.what = "0.1 m deep, at most 0.05 m/s: zeta (m/s)",
-                .value = 0.05,
-                .misconceptions = {{1, "The limit is not kept."},
-                                   {0.5, "max_speed limits ζ, not the depth."},
-                                   {0, to_nothing},
-                                   {0.001, "max_speed is a speed already: no Δt."},
-                                   {0.01, "max_speed limits ζ itself, β included."}},
-                .tolerance = few_roundings},
-               wanted_speed(0.1, limited));
-  Recovery both = limited;
-  both.slop = 0.005;
-  grade.number({.what = "the same with a slop of 5 mm: zeta (m/s)",
-                .value = 0.05,
-                .misconceptions = {{0, stops ? to_nothing
-                                             : "First the slop, then the limit: max_speed is the last word."},
-                                   {0.95, "The limit is not kept here, where there is a slop too."}},
-                .tolerance = few_roundings},
-               wanted_speed(0.1, both));
+/// λ Δt² [m] of the second step of a ball of 1 kg with this β, before it is clamped: the ground still pushes
+/// where it is above 0.
+double second_push(const Sunk& ball, double beta) {
+  const double speed = beta * (ball.depth - ball.slop) / ball.dt;
+  const double left = ball.depth - speed * ball.dt - ball.slop;
+  return (beta * left / ball.dt - (speed - ball.gravity * ball.dt)) * ball.dt;
 }
 
 }  // namespace
 
 Exercise exercise() {
-  return {.lesson = 3,
-          .task = "The velocity that a contact's row asks for: equation (7), with a slop and a limit.",
-          .file = "lessons/03_drift_and_baumgarte/exercise.cpp",
-          .hints =
-              {"A contact has c = −depth. What is ζ without slop and limit?",
-               "β depth / Δt. Subtract the slop from the depth first, and let nothing below 0 be left of it.",
-               "min(β max(depth − slop, 0) / Δt, max_speed)."},
-          .grade = [](Grade& grade) {
-            const Recovery plain{.beta = 0.2, .slop = 0, .max_speed = no_limit, .dt = 0.02};
-            const Recovery slow{.beta = 0.3, .slop = 0, .max_speed = no_limit, .dt = 0.05};
-            Recovery sloppy = plain, limited = plain;
-            sloppy.slop = 0.005;
-            limited.max_speed = 0.05;
-            grade.number(without_slop("0.1 m deep, beta 0.2, dt 0.02 s: zeta (m/s)", 0.1, plain),
-                         wanted_speed(0.1, plain));
-            grade.number(without_slop("0.2 m deep, beta 0.3, dt 0.05 s: zeta (m/s)", 0.2, slow),
-                         wanted_speed(0.2, slow));
-            grade_slop(grade, sloppy);
-            grade_limit(grade, limited);
-            grade.number({.what = "three steps from 0.1 m, beta 0.2: depth left (m)",
-                          .value = 0.1 * 0.8 * 0.8 * 0.8,
-                          .tolerance = few_roundings},
-                         left_of(0.1, plain, 3));
-          }};
+  return {
+      .lesson = 3,
+      .task = "The largest β with which the ground still pushes in step 2, for any depth, slop and step.",
+      .file = "lessons/03_drift_and_baumgarte/exercise.cpp",
+      .hints = {"The page says how deep a ball may be for a given β. Turn that round.",
+                "A slop changes the depth that counts, in both steps. What if nothing of it is left?",
+                "Do three by hand: 100 mm, 1 mm, and 4 mm with a slop of 5 mm. Two of them give the same β."},
+      .grade = [](Grade& grade) {
+        const Sunk moon{.depth = 0.3, .gravity = 1.6, .dt = 0.05};
+        grade.number(
+            without_slop("100 mm deep, 10 m/s², Δt = 0.02 s: β", {.depth = 0.1, .gravity = 10, .dt = 0.02}),
+            largest_beta({.depth = 0.1, .gravity = 10, .dt = 0.02}));
+        grade.number(without_slop("0.4 m deep, 10 m/s², Δt = 1/60 s: β",
+                                  {.depth = 0.4, .gravity = 10, .dt = 1.0 / 60}),
+                     largest_beta({.depth = 0.4, .gravity = 10, .dt = 1.0 / 60}));
+        grade.number(without_slop("0.3 m deep, 1.6 m/s², Δt = 0.05 s: β", moon), largest_beta(moon));
+        grade.number(
+            {.what = "that ball: push of step 2, times Δt²/m (m)", .value = 0, .tolerance = few_roundings},
+            second_push(moon, largest_beta(moon)));
+        grade.number({.what = "1 mm deep, 10 m/s², Δt = 0.02 s: β",
+                      .value = 1,
+                      .misconceptions = {{2, "β is at most 1: above that, the error changes its sign."}},
+                      .tolerance = few_roundings},
+                     largest_beta({.depth = 0.001, .gravity = 10, .dt = 0.02}));
+        grade_slop(grade);
+      }};
 }
 
 }  // namespace cairn::exercise03

@@ -136,7 +136,8 @@ Exercise exercise() {
       .hints =
           {"What is j·v of this contact, and how much impulse makes it 0?",
            "j = (-1, 1), so j M⁻¹ jᵀ = 1/m_below + 1/m_above. Add the correction to what was given so far.",
-           "new sum = max(old sum + correction, 0); what is applied is new sum - old sum, to both boxes."},
+           "Which of the two must not be negative, what it gives now or what it has given? The boxes feel "
+           "the other."},
       .grade = [](Grade& grade) {
         grade_tower(grade);
         grade_taking_back(grade);

@@ -27,7 +27,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run 6           lesson 6 with its text; flags follow: 6 --bodies 10 --predict
   bash lessons/run 6 --help    the flags of lesson 6
   bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
-  bash lessons/run solver 4    grades stage 4 of a solver of your own, my_solver.cpp; 4 --begin writes its start
+  bash lessons/run solver 4    grades stage 4 of your solver; 4 --begin writes its start, 4 --film draws it
   bash lessons/run check --all the checks of every lesson, without the exercises
   bash lessons/run book        every lesson as a page for the browser, in out/book/
   bash lessons/run export 6    its pictures for documents, with alt texts; export --help has the flags

@@ -58,6 +58,8 @@ class Grade {
     int width = 58;  // of what is asked, in columns
     int digits = 6;
     int stage = 0;
+    /// What fails after the first failure is left out, but for the first comment if that had none.
+    bool only_first = false;
   };
   Grade() = default;
   /// Begins with the stage that is asked for.
@@ -70,14 +72,23 @@ class Grade {
   void number(const ExpectedNumber& expected, double got) {
     const Mark mark = marked(expected, got);
     has_marks_ = true;
-    if (!mark.holds) has_failed_ = true;
     const bool is_before = stage_ < style_.stage;
-    if (mark.holds && is_before) return;
+    const bool is_left_out = style_.only_first && has_failed_ && (is_explained_ || mark.comment.empty());
+    if (!mark.holds) has_failed_ = true;
+    if (is_left_out || (mark.holds && is_before)) return;
     const std::string what = (is_before ? "stage 0" + std::to_string(stage_) + ": " : "") + expected.what;
     const std::string numbers = text(got) + (mark.holds ? "" : ", not " + text(expected.value));
     std::printf("CHECK  %s %s  %s\n", padded(what).c_str(), numbers.c_str(), mark.holds ? "ok" : "no");
-    if (!mark.comment.empty()) std::printf("       %s\n", mark.comment.c_str());
     std::fflush(stdout);  // the next number may end the program
+    explain(mark.comment);
+  }
+
+  /// Says what a failure looks like, if no comment on a number has said it yet.
+  void explain(const std::string& words) {
+    if (words.empty() || !has_failed_ || (style_.only_first && is_explained_)) return;
+    is_explained_ = true;
+    std::printf("       %s\n", words.c_str());
+    std::fflush(stdout);
   }
 
   /// Whether there are marks, and all of them hold.
@@ -101,6 +112,7 @@ class Grade {
   int stage_ = 0;
   bool has_marks_ = false;
   bool has_failed_ = false;
+  bool is_explained_ = false;
 };
 
 }  // namespace cairn

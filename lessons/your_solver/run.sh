@@ -3,6 +3,7 @@
 # command runs, as lessons-progress.txt is.
 #   run.sh            how far the file has come, and what is next
 #   run.sh N          grades the stages 0 to N; exit code 0: passed, 1: not yet, 2: bad usage, 3: it cannot be graded here
+#   run.sh N --film   draws what it does at stage N, beside the model: out/solver0N/; --theme dark follows if wanted
 #   run.sh N --begin  writes the state before stage N; a file that is there is kept under another name
 unset CDPATH
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -38,7 +39,7 @@ chief_error() { find_error 'No space left' || find_error '[Ee]rror:|annot ' || f
 
 # Whether the compiler has failed by what the reader has written.
 is_of_the_file() {
-  ! find_error 'No space left' >/dev/null && find_error "$file:|stages/0|undefined reference|$memory_pattern" >/dev/null
+  ! find_error 'No space left' >/dev/null && find_error "$file:|(stages|scenes)/0|undefined reference|$memory_pattern" >/dev/null
 }
 
 # What runs the compiler and the reader's program under limits. It is made once, and kept in the build folder where that
@@ -57,27 +58,47 @@ make_runner() {
 
 task() { cat "$here/stages/0$1.txt"; }
 
-# compile N: exit code 0, 4 if the file does not compile, 5 if it does not within the limits of a compiler.
+# compile CODE FILE PROGRAM: a program whose main() is this code behind the file. Exit code 0, 4 if the file does not
+# compile, 5 if it does not within the limits of a compiler.
 compile() {
   local -a flags=(-std=c++20 -O0 -pipe -D_GLIBCXX_ASSERTIONS -Werror=return-type -fdiagnostics-color=never)
   local code
   # A main() of the reader's is left alone: the linker starts the program elsewhere.
-  printf '#include "lessons/kit/grading.hpp"\n#include "stages/0%s.cpp"\n#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" \
-    "extern \"C\" int __wrap_main() {
-  return cairn::reader_code::graded([] {
-    cairn::Grade grade({.width = 70, .digits = 7, .stage = $1});
-    stage_0$1(grade);
-    return grade.passed() ? 0 : 1;
-  });
-}" 2>/dev/null >"$work/main.cpp" || cannot "cannot write $work/main.cpp"
-  errors=$(LC_ALL=C "$runner" compiler "$file" "$compiler" "${flags[@]}" -I"$here" -I"$here/../.." -include "./$file" \
-    -Wl,--wrap=main -o "$work/grader" "$work/main.cpp" 2>&1)
+  printf '#include "lessons/reader_code/verdict.hpp"\n%s\n' "$1" 2>/dev/null >"$3.cpp" || cannot "cannot write $3.cpp"
+  errors=$(LC_ALL=C "$runner" compiler "$file" "$compiler" "${flags[@]}" -I"$here" -I"$here/../.." -include "$2" \
+    -Wl,--wrap=main -o "$3" "$3.cpp" 2>&1)
   code=$?
   if [[ $code == 124 ]]; then return 5; fi
   if [[ $code != 0 ]]; then
     is_of_the_file || cannot "$compiler does not work here: $(chief_error)"
     return 4
   fi
+}
+
+# compile_grader N
+compile_grader() {
+  compile "#include \"lessons/kit/grading.hpp\"
+#include \"stages/0$1.cpp\"
+extern \"C\" int __wrap_main() {
+  return cairn::reader_code::graded([] {
+    cairn::Grade grade({.width = 70, .digits = 7, .stage = $1, .only_first = true});
+    stage_0$1(grade);
+    return grade.passed() ? 0 : 1;
+  });
+}" "./$file" "$work/grader"
+}
+
+# compile_scene N FILE NAME: a program that notes what the file's solver moves in $work/NAME.motion.
+compile_scene() {
+  compile "#include \"scenes/motion.hpp\"
+#include \"scenes/0$1.cpp\"
+extern \"C\" int __wrap_main() {
+  return cairn::reader_code::graded([] {
+    cairn::Motion motion(\"$work/$3.motion\");
+    cairn::filmed::film_0$1(motion);
+    return motion.close() ? 0 : 1;
+  });
+}" "$2" "$work/$3"
 }
 
 # run_grader: exit code 0: passed, 1: not yet, 3: it cannot be run.
@@ -102,7 +123,7 @@ explain_errors() {
     return
   fi
   error=$(find_error ': (fatal )?error: ')
-  stage=$(find_error 'stages/0[0-9]\.cpp' | sed -E 's,.*stages/0([0-9])\.cpp.*,\1,')
+  stage=$(find_error '(stages|scenes)/0[0-9]\.cpp' | sed -E 's,.*(stages|scenes)/0([0-9])\.cpp.*,\2,')
   line=$(find_error "$file:[0-9]+" | grep -oE "$file:[0-9]+" | head -n 1)
   printf 'Stage 0%s cannot use %s: %s\n' "${stage:-$1}" "${line:-$file}" "${error#*error: }"
   printf 'It needs:\n'
@@ -112,7 +133,7 @@ explain_errors() {
 grade_aloud() {
   local code
   task "$1" | head -n 1
-  compile "$1" && run_grader
+  compile_grader "$1" && run_grader
   code=$?
   case $code in
     0)
@@ -129,6 +150,35 @@ grade_aloud() {
   esac
   printf 'Not yet. The task: lessons/your_solver/stages/0%s.txt\n' "$1"
   return 1
+}
+
+# The program that draws films, which is built when somebody asks for one; tests name theirs.
+find_drawer() {
+  drawer=${CAIRN_SOLVER_FILM:-}
+  if [[ $drawer ]]; then return; fi
+  . "$here/../setup.sh"
+  cairn_set_up && cairn_build release solver_film || exit 3
+  drawer=$cairn_root/build/release/bin/solver_film
+  export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-$cairn_root/build/release/mesa}"
+}
+
+# film N THEME: what the reader's solver does beside what the model does.
+film() {
+  local code folder=out/solver0$1
+  compile_scene "$1" "./$file" yours && "$runner" grader "$file" "$work/yours"
+  code=$?
+  case $code in
+    0) ;;
+    1) exit 1 ;;
+    4) explain_errors "$1"; exit 1 ;;
+    5) printf '%s\n' "${errors##*$'\n'}"; exit 1 ;;
+    *) exit "$code" ;;
+  esac
+  bash "$here/state.sh" "$1" >"$work/model.hpp" 2>/dev/null || cannot "cannot write $work/model.hpp"
+  compile_scene "$1" "$work/model.hpp" model && "$runner" grader "the model" "$work/model" ||
+    cannot "the model of stage 0$1 cannot be filmed: $errors"
+  find_drawer
+  "$drawer" "$2" "$(task "$1" | head -n 1)" "$folder/solver0$1" "$work/yours.motion" "$work/model.motion"
 }
 
 # The state before stage N: the model of the stage before, and the task as a comment.
@@ -160,7 +210,7 @@ say_where() {
   fi
   while [[ $((high - low)) -gt 1 ]]; do
     middle=$(((low + high) / 2))
-    compile "$middle" && run_grader >/dev/null 2>&1
+    compile_grader "$middle" && run_grader >/dev/null 2>&1
     case $? in
       0) low=$middle ;;
       1 | 4) high=$middle ;;
@@ -184,10 +234,17 @@ fi
 if ! [[ $1 =~ ^0?[0-9]$ ]]; then refuse "the stage must be a number from 0 to $last, got \"$1\""; fi
 stage=$((10#$1))
 if [[ ${2:-} == --begin && $# == 2 ]]; then begin "$stage"; exit; fi
-if [[ $# -gt 1 ]]; then refuse "after the stage there may be --begin, got \"${*:2}\""; fi
+theme=
+case ${*:2} in
+  "") ;;
+  --film | "--film --theme light") theme=light ;;
+  "--film --theme dark") theme=dark ;;
+  *) refuse "after the stage there may be --begin, --film or --film --theme light|dark, got \"${*:2}\"" ;;
+esac
 if [[ ! -f $file ]]; then
   refuse "there is no $file in $PWD; bash lessons/run solver $stage --begin writes the state before stage $stage"
 fi
 make_work_folder
 make_runner
+if [[ $theme ]]; then film "$stage" "$theme"; exit; fi
 grade_aloud "$stage"

@@ -139,7 +139,7 @@ void check_stage(int stage) {
   write_file(folder / "main.cpp",
              text +
                  "int main(int, char** words) {\n  const int chosen = std::atoi(words[1]);\n"
-                 "  cairn::Grade grade;\n" +
+                 "  cairn::Grade grade({.only_first = true});\n" +
                  choice + "  return grade.passed() ? 0 : 1;\n}\n");
   check_program(folder, answers, answers.size() + 1);
 }

@@ -1,10 +1,15 @@
 // How a number is graded, and what becomes of output that nothing takes.
 #include <doctest/doctest.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "lessons/kit/exercise.hpp"
@@ -75,4 +80,36 @@ TEST_CASE("a wrong number names the first misconception that gives it, and a rig
   CHECK(comment_on(-infinity).empty());
   CHECK(comment_on(nan) == "0 by 0");
   CHECK(comment_on(4).empty());
+}
+
+TEST_CASE("a grade of the first failure alone prints what failed first, and the first comment on any") {
+  const auto stays = [](const std::function<void(Grade&)>& marks) {
+    const std::string file = (std::filesystem::temp_directory_path() / "cairn_first_failure.txt").string();
+    std::fflush(stdout);
+    const int kept = dup(STDOUT_FILENO);
+    REQUIRE(std::freopen(file.c_str(), "w", stdout) != nullptr);
+    Grade grade({.width = 1, .only_first = true});
+    marks(grade);
+    std::fflush(stdout);
+    dup2(kept, STDOUT_FILENO);
+    close(kept);
+    std::ifstream in(file);
+    CHECK_FALSE(grade.passed());
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  CHECK(stays([](Grade& grade) {
+          grade.number({"a", 1}, 1);
+          grade.number({"b", 1}, 2);
+          grade.number({"c", 1}, 1);
+          grade.number({"d", 1}, 2);
+          grade.number({"e", 1, {{2, "Named."}}}, 2);
+          grade.number({"f", 1, {{2, "Named again."}}}, 2);
+          grade.explain("By physics.");
+        }) == "CHECK  a 1  ok\nCHECK  b 2, not 1  no\nCHECK  e 2, not 1  no\n       Named.\n");
+  CHECK(stays([](Grade& grade) {
+          grade.number({"b", 1}, 2);
+          grade.explain("");
+          grade.explain("By physics.");
+          grade.number({"e", 1, {{2, "Named."}}}, 2);
+        }) == "CHECK  b 2, not 1  no\n       By physics.\n");
 }

@@ -90,7 +90,8 @@ TEST_CASE("the reader's solver refuses words that it does not know, and a stage 
   const fs::path folder = scratch_folder("refused");
   for (const auto& [words, complaint] :
        {std::pair("12", "must be a number from 0 to 9, got \"12\""), std::pair("x", "got \"x\""),
-        std::pair("3 --start", "got \"--start\""), std::pair("3", "there is no my_solver.cpp in")}) {
+        std::pair("3 --start", "got \"--start\""), std::pair("3 --film dark", "got \"--film dark\""),
+        std::pair("3", "there is no my_solver.cpp in")}) {
     const std::string shown = words;
     INFO(shown);
     const Ended refused = run_solver(folder, words);

@@ -27,7 +27,9 @@ static const double slanted_rate = (-0.6 * 1 + 0.25 * 2) + (-0.8 * -3 + 0.5 * -1
 
 static void grade_effective_mass(cairn::Grade& grade) {
   const std::vector<Body> bodies = two_masses();
-  const double inverse = slanted_part1 + slanted_part2;
+  const double inverse = slanted_part1 + slanted_part2, mass = effective_mass(slanted_row(1, 2), bodies);
+  const double plain_part1 = (-0.6 + 0.8) * 0.5 + 0.25 * 3;  // as if j stood once in each product
+  const double plain_part2 = (0.6 - 0.8) * 2 + 0.5 * 12;
   grade.number(
       {"effective mass of a row between 2 kg and 0.5 kg (kg)",
        1 / inverse,
@@ -36,8 +38,24 @@ static void grade_effective_mass(cairn::Grade& grade) {
         {1 / slanted_part1, "Body 2 is missing: both bodies give way."},
         {1 / 2.5, "The turn is missing: a push beside the centre turns the body, too."},
         {1 / (1 + 0.0625 + 1 + 0.25), "The inverse masses are missing: j M⁻¹ jᵀ, not j jᵀ."},
-        {1 / (2 + 0.0625 / 3 + 0.5 + 0.25 / 12), "Those are the masses: j M⁻¹ jᵀ has their inverses."}}},
-      effective_mass(slanted_row(1, 2), bodies));
+        {1 / (2 + 0.0625 / 3 + 0.5 + 0.25 / 12), "Those are the masses: j M⁻¹ jᵀ has their inverses."},
+        {1 / (1 + 0.0625 + slanted_part2), "The inverse masses of body 1 are missing."},
+        {1 / (slanted_part1 + 1 + 0.25), "The inverse masses of body 2 are missing."},
+        {1 / (2 + 0.0625 / 3 + slanted_part2),
+         "Body 1 comes in with its masses, and not with their inverses."},
+        {1 / (slanted_part1 + 0.5 + 0.25 / 12),
+         "Body 2 comes in with its masses, and not with their inverses."},
+        {1 / (plain_part1 + plain_part2), "j is not squared: each product has the number of j twice."},
+        {1 / (plain_part1 + slanted_part2), "j1 is not squared: each product has the number of j twice."},
+        {1 / (slanted_part1 + plain_part2), "j2 is not squared: each product has the number of j twice."},
+        {1 / (0.5 + slanted_part2), "The turn of body 1 is missing: a push beside its centre turns it, too."},
+        {1 / (slanted_part1 + 2), "The turn of body 2 is missing: a push beside its centre turns it, too."}}},
+      mass);
+  char words[160] = "";
+  std::snprintf(words, sizeof words,
+                "An impulse of your %.4g N s changes j·v by %.4g m/s: it should be 1 m/s.", mass,
+                mass * inverse);
+  grade.explain(words);
   grade.number({"the same between the ground and 0.5 kg (kg)",
                 1 / slanted_part2,
                 {{0, "One body can move: the ground only adds nothing to j M⁻¹ jᵀ."}}},
@@ -66,6 +84,30 @@ static void grade_correction(cairn::Grade& grade) {
                correction(slanted_row(2, 1), bodies));
 }
 
+/// What a push along the reader's rod does to momentum and to angular momentum, which it has to keep.
+static std::string physics_of_push() {
+  const std::vector<Body> before = turned_boxes();
+  std::vector<Body> after = before;
+  const Row row = rod(before, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3);
+  apply_impulse(row, 0.5, after);
+  double momentum[2] = {}, angular = 0, turn[3] = {};
+  for (std::size_t i = 1; i < 3; ++i) {
+    double p[2] = {};
+    for (std::size_t k = 0; k < 2; ++k) {
+      p[k] = (after[i].velocity[k] - before[i].velocity[k]) / before[i].inverse_mass[k];
+      momentum[k] += p[k];
+    }
+    turn[i] = (after[i].velocity[2] - before[i].velocity[2]) / before[i].inverse_mass[2];
+    angular += turn[i] + before[i].position[0] * p[1] - before[i].position[1] * p[0];
+  }
+  const bool keeps = std::abs(momentum[0]) + std::abs(momentum[1]) < 1e-9;
+  if (!keeps) return "Momentum is not kept: what one body gets, the other has to lose.";
+  if (std::abs(angular) < 1e-9) return "";
+  const bool is_body1 = !(std::abs(turn[1] - 0.5 * row.j1[2]) < 1e-9);
+  return std::string("Momentum is kept, angular momentum is not: look at the turn of body ") +
+         (is_body1 ? "1." : "2.");
+}
+
 static void grade_push(cairn::Grade& grade) {
   std::vector<Body> bodies = two_masses();
   const Row row = slanted_row(1, 2);
@@ -75,15 +117,23 @@ static void grade_push(cairn::Grade& grade) {
                 down,
                 {{-3 - 0.8 * 0.5, "M⁻¹ is missing: an impulse moves a light body more."},
                  {-3 + 0.8 * 0.5 * 2, "The sign: v ← v + M⁻¹ jᵀ λΔt."},
-                 {-3 - 0.8 * 0.5 / 2, "That is m: multiply by the inverse mass."},
+                 {-3 - 0.8 * 0.5 / 2, "That is m, or body 1's inverse mass: take that of body 2."},
                  {-0.8, "Add to the velocity: do not replace it."},
                  {-3, "Body 2 is missing: the push has two ends."}}},
                bodies[2].velocity[1]);
-  grade.number({"ω of body 2 (rad/s)", turn, {{-1, "The turn is missing: j has three numbers a body."}}},
+  grade.number({"ω of body 2 (rad/s)",
+                turn,
+                {{-1, "The turn is missing: j has three numbers a body."},
+                 {-1 + 0.5 * 0.5, "M⁻¹ is missing at the turn of body 2."},
+                 {-1 + 0.5 * 0.5 / 12, "That is I: multiply by the inverse of I."}}},
                bodies[2].velocity[2]);
   grade.number({"ω of body 1 (rad/s)",
                 2 + 3 * 0.25 * 0.5,
                 {{2, bodies[1].velocity[0] == 1 ? "" : "The turn is missing: j has three numbers a body."},
+                 {2 + 0.25 * 0.5, "M⁻¹ is missing for body 1."},
+                 {2 + 0.25 * 0.5 / 3, "That is I of body 1: multiply by the inverse."},
+                 {2 + 12 * 0.25 * 0.5, "Each body has its own inverse mass: here body 1."},
+                 {2 - 3 * 0.25 * 0.5, "The sign: j1 has its minus already."},
                  {2 + 3 * 0.5 * 0.5, "Those are the numbers of body 2: body 1 has j1."}}},
                bodies[1].velocity[2]);
   const bool has_j2 = std::abs(bodies[1].velocity[2] - 2.75) < 1e-9;
@@ -96,6 +146,7 @@ static void grade_push(cairn::Grade& grade) {
   std::vector<Body> stopped = two_masses();
   apply_impulse(row, correction(row, stopped), stopped);
   grade.number({"j·v after the row's own correction (m/s)", 0}, rate(row, stopped));
+  grade.explain(physics_of_push());
 }
 
 static void grade_02(cairn::Grade& grade) {

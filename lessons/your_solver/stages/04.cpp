@@ -15,7 +15,7 @@ static Row made_row(int body1, Vec3 j1, int body2, Vec3 j2, double bias) {
 static std::vector<Row> four_rows() {
   return {made_row(0, {0, -1, 0.25}, 1, {0, 1, 0.5}, 0.3),
           made_row(1, {-0.6, 0.8, 0.25}, 2, {0.6, -0.8, 0.5}, 0),
-          made_row(2, {1, 0, -0.5}, 1, {-1, 0, 0.75}, -0.2), made_row(0, {0, -1, 0}, 3, {0, 1, 0.5}, 0)};
+          made_row(2, {1, 0, -0.5}, 1, {-1, 0, 0.75}, -0.3), made_row(0, {0, -1, 0}, 3, {0, 1, 0.5}, 0)};
 }
 
 static std::vector<Body> four_bodies() {
@@ -32,22 +32,56 @@ static double coupled(Vec3 first, Vec3 weight, Vec3 second) {
   return sum;
 }
 
+/// The first entry of A that is not what a push shows: 1 N s along row k changes j·v of row i by A[i][k].
+static std::string physics_of(const System& system) {
+  const std::vector<Row> rows = four_rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < rows.size() && k < system.A[i].size(); ++k) {
+      std::vector<Body> bodies = four_bodies();
+      const double before = rate(rows[i], bodies);
+      apply_impulse(rows[k], 1, bodies);
+      const double change = rate(rows[i], bodies) - before;
+      if (std::abs(system.A[i][k] - change) < 1e-9) continue;
+      char words[200] = "";
+      std::snprintf(
+          words, sizeof words,
+          "Push row %zu with 1 N s, and j·v of row %zu grows by %.4g m/s. Your A[%zu][%zu] says %.4g.", k, i,
+          change, i, k, system.A[i][k]);
+      return words;
+    }
+  }
+  return "";
+}
+
 static void grade_A(cairn::Grade& grade, const System& system) {
   const std::vector<Row> rows = four_rows();
   const Vec3 heavy = {0.5, 0.5, 3}, light = {2, 2, 12}, ones = {1, 1, 1}, none = {};
   const double diagonal = slanted_part1 + slanted_part2;
+  const double mixed =
+      diagonal + coupled(rows[1].j1, heavy, rows[1].j2) + coupled(rows[1].j2, light, rows[1].j1);
+  const double plain = coupled(rows[1].j1, heavy, ones) + coupled(rows[1].j2, light, ones);
   grade.number({"four rows: rows of A", 4}, static_cast<double>(system.A.size()));
   if (system.A.size() != 4 || system.A[1].size() != 4) return;
-  grade.number({"A[1][1], between 2 kg and 0.5 kg (1/kg)",
-                diagonal,
-                {{1 / diagonal, "That is the effective mass: A_ii is its inverse."},
-                 {diagonal * 0.05, "A has no Δt: only b has."},
-                 {diagonal / 0.05, "A has no Δt: only b has."},
-                 {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
-                 {slanted_part2, "Body 1 is missing: sum over both bodies of the row."},
-                 {2.5, "An index too few: the turn couples rows, too."},
-                 {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}},
-               system.A[1][1]);
+  const bool is_doubled = std::abs(system.A[0][1] - 2 * coupled(rows[0].j2, heavy, rows[1].j1)) < 1e-9;
+  grade.number(
+      {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
+       diagonal,
+       {{2 * diagonal, is_doubled
+                           ? "Each body is counted once: a sum over the bodies, not over both lists of them."
+                           : "The diagonal is counted twice: a row meets itself once."},
+        {mixed, "Every number meets every other: multiply only what two rows have for the same body."},
+        {2 + 0.0625 / 3 + 0.5 + 0.25 / 12, "Those are the masses: A has their inverses."},
+        {1 + 0.0625 + slanted_part2, "The inverse masses of body 1 are missing: A = J M⁻¹ Jᵀ."},
+        {slanted_part1 + 1 + 0.25, "The inverse masses of body 2 are missing: A = J M⁻¹ Jᵀ."},
+        {plain, "j is not squared: A_ii has each number of j twice."},
+        {1 / diagonal, "That is the effective mass: A_ii is its inverse."},
+        {diagonal * 0.05, "A has no Δt: only b has."},
+        {diagonal / 0.05, "A has no Δt: only b has."},
+        {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
+        {slanted_part2, "Body 1 is missing: sum over both bodies of the row."},
+        {2.5, "An index too few: the turn couples rows, too."},
+        {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}},
+      system.A[1][1]);
   const bool is_right = std::abs(system.A[1][1] - diagonal) < 1e-9;
   const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
   const double shared = coupled(rows[0].j2, heavy, rows[1].j1);
@@ -85,6 +119,9 @@ static void grade_A(cairn::Grade& grade, const System& system) {
                 0,
                 {{1, "The ground couples nothing: its inverse mass is 0."}}},
                system.A[0][3]);
+  const std::string physics = physics_of(system);
+  grade.number({"pushes along single rows: they show the same A (1: yes)", 1}, physics.empty());
+  grade.explain(physics);
 }
 
 static void grade_b(cairn::Grade& grade, const System& system) {
@@ -92,17 +129,22 @@ static void grade_b(cairn::Grade& grade, const System& system) {
   grade.number({"entries of b", 4}, static_cast<double>(system.b.size()));
   if (system.b.size() != 4) return;
   const double last_rate = 0.5 + 0.5;  // of row 2: (1, 0, -0.5) · (0, -3, -1) and (-1, 0, 0.75) · (1, 0, 2)
+  const char* const gravity = "Gravity is in v already, and has no part in b: b = (ζ − J v)/Δt.";
   grade.number({"b[0], with a bias of 0.3 m/s (m/s²)",
                 (0.3 - ground_rate) / dt,
-                {{0.3 - ground_rate, "The factor 1/Δt is missing: λ is a force."},
+                {{(0.3 - ground_rate) / dt + 10, gravity},
+                 {(0.3 - ground_rate) / dt - 10, gravity},
+                 {(0.3 - ground_rate) / dt + 9.81, gravity},
+                 {(0.3 - ground_rate) / dt - 9.81, gravity},
+                 {0.3 - ground_rate, "The factor 1/Δt is missing: λ is a force."},
                  {(0.3 - ground_rate) * dt, "Divide by Δt: λ is a force."},
                  {(ground_rate - 0.3) / dt, "The sign: b = (ζ − J v)/Δt."},
                  {-ground_rate / dt, "ζ is missing: b = (ζ − J v)/Δt."},
                  {(-0.3 - ground_rate) / dt, "The sign of ζ: b = (ζ − J v)/Δt."},
                  {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}},
                system.b[0]);
-  grade.number({"b[2], with a bias of −0.2 m/s (m/s²)",
-                (-0.2 - last_rate) / dt,
+  grade.number({"b[2], with a bias of −0.3 m/s (m/s²)",
+                (-0.3 - last_rate) / dt,
                 {{(0.3 - last_rate) / dt, "Each row has its own ζ."}, {0, "Each row has an entry of b."}}},
                system.b[2]);
 }

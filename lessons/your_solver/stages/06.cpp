@@ -73,6 +73,7 @@ static void grade_tower(cairn::Grade& grade) {
   later_line.sweep_by_hand();
   const bool is_kept = rows[0].impulse != 0, has_moved = bodies[1].velocity[1] != -0.5;
   const char* why_nothing = "No row has changed a velocity: apply each push at once.";
+  if (has_moved) why_nothing = "Apply each push at once, not after the sweep.";
   if (has_moved && later[1].impulse == 0)
     why_nothing = "The second row was not visited: a sweep visits all rows.";
   if (std::abs(later[0].impulse - later_line.impulse[1]) < 1e-9)

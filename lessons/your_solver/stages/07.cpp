@@ -14,14 +14,16 @@ static void grade_landing(cairn::Grade& grade) {
                q = (1 / 2.0 - 0.0625 * 3) / (1 / 2.0 + 0.0625 * 3);  // A₁₂/A₁₁, with 1/I = 3
   Landing landing;
   for (int k = 0; k < 3; ++k) sweep(landing.rows, landing.bodies);
+  const bool is_naive = std::abs(landing.rows[0].impulse - half * (1 + q)) < 1e-9;
   grade.number({"landing on two feet, three sweeps: impulse of the first (N s)",
                 half * (1 + std::pow(q, 5)),
                 {{half * (1 + q), "A later push may be negative: clamp the sum, not the push."}}},
                landing.rows[0].impulse);
-  grade.number({"of the second (N s)",
-                half * (1 - std::pow(q, 6)),
-                {{half * (1 - q * q), "A later push may be negative: clamp the sum, not the push."}}},
-               landing.rows[1].impulse);
+  grade.number(
+      {"of the second (N s)",
+       half * (1 - std::pow(q, 6)),
+       {{half * (1 - q * q), is_naive ? "A later push may be negative: clamp the sum, not the push." : ""}}},
+      landing.rows[1].impulse);
 }
 
 static void grade_taking_back(cairn::Grade& grade) {
@@ -67,15 +69,15 @@ static bool grade_points(cairn::Grade& grade) {
   bodies[0].position[2] = -0.002;
   const std::vector<Row> rows = contacts(bodies), upper = rows_between(rows, 1, 0),
                          lower = rows_between(rows, 2, 1);
+  const char* const lower_first = "body 1 is the lower one of the two, wherever it stands in the list.";
   grade.number({"a small box on a large one on the ground: contacts",
                 4,
                 {{2, "Two boxes touch at two points: both ends of the width that they share."},
                  {3, "What overlaps touches, however deep: look at the gap, not at its size."},
-                 {6, "Boxes with another box between them do not touch: look at the gap."}}},
+                 {6, upper.empty() ? lower_first
+                                   : "Boxes with another box between them do not touch: look at the gap."}}},
                count_of(rows));
-  grade.number({"with the large box as body 1, and the small one as body 2",
-                2,
-                {{0, "body 1 is the lower one of the two, wherever it stands in the list."}}},
+  grade.number({"with the large box as body 1, and the small one as body 2", 2, {{0, lower_first}}},
                count_of(upper));
   const bool finds = rows.size() == 4;
   if (upper.size() != 2 || lower.size() != 2) return finds;

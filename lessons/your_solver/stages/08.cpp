@@ -47,10 +47,10 @@ static void grade_both_ways(cairn::Grade& grade) {
                   force,
                   {{line.impulse[1], "That is an impulse in N s: divide by Δt."},
                    {line.impulse[1] * dt, "Divide by Δt, do not multiply."},
+                   {2 * 0.5 / dt, "Each sweep begins where the last one ended: keep rows and bodies."},
                    {before[1] / dt, "Record λ after the sweep, not before it."},
                    {(line.impulse[1] - before[1]) / dt,
                     "That is the push of one sweep: row.impulse is the sum of all."},
-                   {2 * 0.5 / dt, "Each sweep begins where the last one ended: keep rows and bodies."},
                    {(7 + line.impulse[1]) / dt, "Both begin from 0."}}},
                  record.impulses[k][0]);
   }
