@@ -46,7 +46,10 @@ const parts = {
     script(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")),
   ].join("\n"),
 };
-const html = page("index.html").replace(/<!-- (style|scripts) -->/g, (_, name) => parts[name]);
+const address = readFileSync(join(here, "../base_address.txt"), "utf8").trim();
+const html = page("index.html")
+  .replace('data-address=""', () => `data-address="${address}"`)
+  .replace(/<!-- (style|scripts) -->/g, (_, name) => parts[name]);
 mkdirSync(dirname(out), { recursive: true });
 writeFileSync(out, html);
 console.log(
