@@ -116,8 +116,7 @@ int cairn_add_ball(double x, double y, double radius) {
   return done([&](Playground& p) { p.add_ball({x, y}, radius); });
 }
 int cairn_add_rope(int body_a, double ax, double ay, int body_b, double bx, double by) {
-  const std::optional<BodyId> end = body_b == -1 ? std::nullopt : std::optional(BodyId{body_b});
-  return done([&](Playground& p) { p.add_rope({body_a}, {ax, ay}, end, {bx, by}); });
+  return done([&](Playground& p) { p.add_rope({body_a}, {ax, ay}, {body_b}, {bx, by}); });
 }
 int cairn_remove(int body) {
   return done([&](Playground& p) { p.remove({body}); });

@@ -70,7 +70,7 @@ void cairn_let_go(void);
 int cairn_add_box(double x, double y, double width, double height);
 /** Puts a ball of this radius [m] there. */
 int cairn_add_ball(double x, double y, double radius);
-/** Puts a rope of links between two points [m], pinned to a body at each; 0 is the ground; at its end -1: none. */
+/** Puts a rope of links between two points [m], pinned to a body at each; 0 is the ground. */
 int cairn_add_rope(int body_a, double ax, double ay, int body_b, double bx, double by);
 /** Takes a body out, with all that is fastened to it. */
 int cairn_remove(int body);

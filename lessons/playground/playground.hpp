@@ -78,9 +78,8 @@ class Playground {
   void add_box(const Vec2<double>& middle, const Vec2<double>& size);
   /// A disc of this radius [m].
   void add_ball(const Vec2<double>& middle, double radius);
-  /// A rope of short links between two points [m], pinned to body a at the first, and to b at the second; no
-  /// b: it ends there.
-  void add_rope(BodyId a, const Vec2<double>& from, std::optional<BodyId> b, const Vec2<double>& to);
+  /// A rope of short links between two points [m], pinned to a body at each; both may be the ground.
+  void add_rope(BodyId a, const Vec2<double>& from, BodyId b, const Vec2<double>& to);
   void remove(BodyId body);
   /// Pins b to a at a point [m].
   void pin(BodyId a, BodyId b, const Vec2<double>& point);

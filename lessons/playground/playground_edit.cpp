@@ -132,12 +132,11 @@ Vec2<double> Playground::point_in_file(BodyId body, const Vec2<double>& point) c
   return start_.bodies()[in_file].pose.world(benches_[0]->snapshot().bodies[body].pose.local(point));
 }
 
-void Playground::add_rope(BodyId a, const Vec2<double>& from, std::optional<BodyId> b,
-                          const Vec2<double>& to) {
-  require_bodies("rope", {a, b.value_or(ground)});
+void Playground::add_rope(BodyId a, const Vec2<double>& from, BodyId b, const Vec2<double>& to) {
+  require_bodies("rope", {a, b});
   require_finite(from, "rope", "from", "m");
   require_finite(to, "rope", "to", "m");
-  require(!b || *b != a, "rope", "body", "another one at its other end", names_[a]);
+  require(a == ground || a != b, "rope", "body", "another one at its other end", names_[a]);
   const double length = (to - from).norm();  // [m]
   require(length >= shortest_rope && length <= longest_rope, "rope", "length",
           fmt::format("from {} to {} m", shortest_rope, longest_rope), length);
@@ -152,20 +151,18 @@ void Playground::add_rope(BodyId a, const Vec2<double>& from, std::optional<Body
   const Scene scene_alone = alone.make();
   PerBody<std::string> names = names_;
   for (int i = 1; i <= links; ++i) names.push_back(alone.body_names[BodyId{i}]);
-  const Vec2<double> begin = point_in_file(a, from);
-  std::string in_file = table(begin, b ? point_in_file(*b, to) : Vec2<double>(begin + to - from));
-  if (a != ground) in_file += fmt::format("a = \"{}\"\n", names_[a]);
-  if (b) in_file += fmt::format("b = \"{}\"\n", names_[*b]);
-  edit(in_file, "A rope more: " + name + ".", names, [&](Scene& scene) {
-    BodyId last = a;
-    for (int i = 1; i <= links; ++i) {
-      const BodyId link = scene.add(scene_alone.bodies()[BodyId{i}].spec);
-      const Vec2<double> anchor = from + (i - 1.0) / links * (to - from);
-      scene.join<RevoluteJoint>({.a = last, .b = link, .anchor = anchor});
-      last = link;
-    }
-    if (b) scene.join<RevoluteJoint>({.a = last, .b = *b, .anchor = to});
-  });
+  const std::string ends = fmt::format("a = \"{}\"\nb = \"{}\"\n", names_[a], names_[b]);
+  edit(table(point_in_file(a, from), point_in_file(b, to)) + ends, "A rope more: " + name + ".", names,
+       [&](Scene& scene) {
+         BodyId last = a;
+         for (int i = 1; i <= links; ++i) {
+           const BodyId link = scene.add(scene_alone.bodies()[BodyId{i}].spec);
+           const Vec2<double> anchor = from + (i - 1.0) / links * (to - from);
+           scene.join<RevoluteJoint>({.a = last, .b = link, .anchor = anchor});
+           last = link;
+         }
+         scene.join<RevoluteJoint>({.a = last, .b = b, .anchor = to});
+       });
 }
 
 void Playground::remove(BodyId body) {

@@ -37,13 +37,25 @@ const texts = Object.fromEntries(
 );
 const packed = (content) => gzipSync(content, { level: 9 }).toString("base64");
 const wasm = packed(readFileSync(join(built, "cairn_playground.wasm")));
+// Scripts, packed as the core is: this one unpacks and runs them.
+const begin = `(async () => {
+  for (const id of ["core-script", "page-script"]) {
+    const bytes = Uint8Array.from(atob(document.getElementById(id).textContent), (c) => c.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    document.body.append(Object.assign(document.createElement("script"), { text: await new Response(stream).text() }));
+  }
+})()`;
 const parts = {
-  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}${esbuild("plot.css")}</style>`,
+  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}${esbuild("plot.css")}${esbuild("view.css")}</style>`,
   scripts: [
     script(packed(JSON.stringify(texts)), ' type="text/plain" id="scenes"'),
     script(wasm, ' type="text/plain" id="wasm"'),
-    script(readFileSync(join(built, "cairn_playground.js"), "utf8")),
-    script(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")),
+    script(packed(readFileSync(join(built, "cairn_playground.js"))), ' type="text/plain" id="core-script"'),
+    script(
+      packed(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")),
+      ' type="text/plain" id="page-script"',
+    ),
+    script(begin),
   ].join("\n"),
 };
 const address = readFileSync(join(here, "../base_address.txt"), "utf8").trim();

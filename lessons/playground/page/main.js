@@ -13,8 +13,11 @@ import { setUpKeys } from "./keys.js";
 import { setUpPlot } from "./plot.js";
 import { setUpPointer } from "./pointer.js";
 import { setUpQuiz } from "./quiz.js";
+import { setUpRows } from "./rows.js";
 import { setUpSaving } from "./save.js";
+import { setUpScrub } from "./scrub.js";
 import { setUpTheme } from "./theme.js";
+import { setUpView } from "./view.js";
 
 /** @typedef {import("./address.js").Address} Address */
 
@@ -99,7 +102,7 @@ function setUpButtons(app) {
     const { diverged, rows } = core.numbers();
     show(find("diverged", HTMLElement), diverged === 1);
     const bodies = core.bodies().filter(({ isThere }) => isThere).length;
-    const now = `${app.file.title}: ${bodies} bodies with the ground, ${rows} rows.`;
+    const now = `${app.own.title}: ${bodies} bodies with the ground, ${rows} rows.`;
     find("canvas-now", HTMLElement).textContent = now;
     writePlan();
   });
@@ -187,7 +190,6 @@ async function followAddress(app) {
   const number = ++asked;
   const address = await readAddress(location.hash, app.core.mostText);
   if (number === asked) openAddress(app, address);
-  return address;
 }
 
 async function begin() {
@@ -196,18 +198,22 @@ async function begin() {
   const scenes = JSON.parse(new TextDecoder().decode(await unpacked("scenes")));
   const app = new App(core, sceneFiles(scenes));
   const tools = new Tools(app);
+  const address = await readAddress(location.hash, core.mostText);
   setUpTheme(app);
   setUpScenes(app);
   setUpControls(app);
-  setUpPointer(app, tools);
+  const view = setUpView(app, address.isEmbedded);
+  setUpPointer(app, tools, view);
   setUpCursor(app, tools);
-  setUpKeys(app);
+  setUpKeys(app, view);
+  setUpScrub(app);
+  setUpRows(app);
   setUpGoing(app);
   setUpPlot(app);
   setUpQuiz(app);
   setUpButtons(app);
   setUpNumbers(app);
-  const address = await followAddress(app);
+  openAddress(app, address);
   setUpSaving(app, address.isEmbedded);
   if (address.isEmbedded) embed(app, address);
   setUpSize(app);
