@@ -24,6 +24,7 @@ constexpr int steps_a_checkpoint = 30;
 constexpr double seconds_a_checkpoint = 0.25;  // of computing, where steps are slow
 constexpr int updates_a_frame = 50'000;        // of rows, in search of their ends
 constexpr int updates_at_rest = 2'000'000;     // which take about as long as a student waits
+constexpr double floor_depth = 3;              // times as deep as the ground is thick
 constexpr double floor_end = 1e4;              // [m] to each side
 constexpr double far_end = 5;  // times the largest force: an end further off is not waited for
 
@@ -40,19 +41,24 @@ void widen(ForceRange& range, const VelocityProblem<double>& problem, const PerR
   }
 }
 
-/// A floor without an end under the ground, as deep as the ground is thick: what leaves the ground lands
-/// there. Where bodies begin as low as that, there is room to fall.
+/// A floor without an end, deep under the ground: what leaves the ground lands there. Where bodies begin
+/// below the ground they have room to fall.
 void add_floor(Scene& scene) {
-  const SceneBody& above = scene.bodies()[ground];
-  double height = std::numeric_limits<double>::infinity();
-  for (const Shape<double>& shape : above.spec.shapes)
-    height = std::min(height, bounding_box<double>(shape, above.pose).lower.y());
-  double lowest = height;
-  for (const SceneBody& body : scene.bodies())
-    for (const Shape<double>& shape : body.spec.shapes)
-      lowest = std::min(lowest, bounding_box<double>(shape, body.pose).lower.y());
-  if (std::isinf(height) || lowest < height || !(scene.settings().gravity.y() < 0)) return;
-  scene.add_ground({.height = height, .half_width = floor_end, .material = above.spec.material});
+  const auto reach = [&](BodyId id) {  // [m] from its lowest point to its highest
+    std::pair range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+    for (const Shape<double>& shape : scene.bodies()[id].spec.shapes) {
+      const Aabb<double> box = bounding_box<double>(shape, scene.bodies()[id].pose);
+      range = {std::min(range.first, box.lower.y()), std::max(range.second, box.upper.y())};
+    }
+    return range;
+  };
+  const auto [bottom, top] = reach(ground);
+  if (std::isinf(bottom) || !(scene.settings().gravity.y() < 0)) return;
+  for (const BodyId id : scene.bodies().indices())
+    if (reach(id).first < bottom) return;
+  scene.add_ground({.height = top - floor_depth * (top - bottom),
+                    .half_width = floor_end,
+                    .material = scene.bodies()[ground].spec.material});
 }
 
 /// As strong as the controls have it, the way that the scene has it.

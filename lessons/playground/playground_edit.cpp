@@ -193,7 +193,6 @@ void Playground::undo() {
 
 void Playground::grab(const Vec2<double>& point, double near) {
   require_finite(point, "grab", "point", "m");
-  stay_here();
   const Snapshot now = benches_[0]->snapshot();
   const std::optional<BodyId> found = movable_body_at(now, point, near);
   if (!found) throw std::invalid_argument("There is no body that can move.");

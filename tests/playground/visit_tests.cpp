@@ -55,6 +55,13 @@ TEST_CASE("every step that is kept can be visited, in any order, also those in w
     CHECK(told(last_step) == 100);
     CHECK(cairn_history_count() == step + 1);
   }
+  REQUIRE(cairn_visit(50) == 1);
+  REQUIRE(cairn_grab(cairn_bodies()[8 * 3], cairn_bodies()[8 * 3 + 1]) ==
+          1);  // a hand that lets go at once, as a press on a body does
+  cairn_let_go();
+  CHECK(told(last_step) == 100);
+  REQUIRE(cairn_visit(100) == 1);
+  CHECK(state() == states[100]);
   CHECK(cairn_visit(101) == 0);
   CHECK(cairn_visit(-1) == 0);
   REQUIRE(cairn_visit(50) == 1);

@@ -1,13 +1,19 @@
 // The rows of the next step as a list: of the body that was pressed, or of all; it scrolls, and sorts by each column.
 import { button, find, make } from "./dom.js";
 import { lightRow } from "./cursor.js";
-import { number } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("./core.js").Row & {index: number, kindWord: string, names: string}} Listed */
 
 const part = find("rows", HTMLDetailsElement);
 const pause = 250; // [ms] between two lists while the world runs
+/** Three digits are enough in a list. @param {number} value [N] */
+function short(value) {
+  if (Math.abs(value) < 5e-4) return "0";
+  const text = Math.abs(value) < 1e6 ? String(Number(value.toPrecision(3))) : value.toExponential(1);
+  return text.replaceAll("-", "\u2212");
+}
+
 const kinds = ["joint", "normal", "friction"];
 
 /** @type {[title: string, key: (row: Listed) => number | string][]} */
@@ -23,7 +29,12 @@ class Rows {
   #app;
   #body = make("tbody");
   #heads = columns.map(([title], i) => {
-    const press = make("button", { type: "button", textContent: title, title: "Sort by this" });
+    const press = make("button", {
+      type: "button",
+      id: `sort-${i}`,
+      textContent: title,
+      title: "Sort by this",
+    });
     press.addEventListener("click", () => this.#sortBy(i));
     return make("th", { scope: "col" }, press);
   });
@@ -84,7 +95,7 @@ class Rows {
     rows.forEach(({ index, kindWord, names, now, end }, i) => {
       const line = this.#body.rows[i] ?? this.#body.appendChild(this.#line());
       const isAsked = index === predicted && revealed === 0;
-      const cells = [String(index + 1), kindWord, names, number(now), isAsked ? "?" : number(end)];
+      const cells = [String(index + 1), kindWord, names, short(now), isAsked ? "?" : short(end)];
       cells.forEach((text, k) => {
         const cell = line.cells[k].firstElementChild ?? line.cells[k];
         if (cell.textContent !== text) cell.textContent = text;
