@@ -43,7 +43,7 @@ async function loadCore() {
 function heightFor(width) {
   if (width < 600) return Math.round(1.6 * width);
   if (width < 900) return Math.round(0.7 * width);
-  return Math.round(Math.max(Math.min(0.6 * width, window.innerHeight - 290), 440));
+  return Math.round(Math.max(Math.min(0.6 * width, window.innerHeight - 250), 440));
 }
 
 /** The picture has the size that the page has for it. @param {App} app */

@@ -10,7 +10,8 @@ const pause = 250; // [ms] between two lists while the world runs
 /** Three digits are enough in a list. @param {number} value [N] */
 function short(value) {
   if (Math.abs(value) < 5e-4) return "0";
-  const text = Math.abs(value) < 1e6 ? String(Number(value.toPrecision(3))) : value.toExponential(1);
+  const text =
+    Math.abs(value) < 1e6 ? String(Number(Number(value.toPrecision(3)).toFixed(3))) : value.toExponential(1);
   return text.replaceAll("-", "\u2212");
 }
 
