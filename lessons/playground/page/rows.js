@@ -86,11 +86,11 @@ class Rows {
 
   write() {
     const { core, chosen } = this.#app;
-    const rows = this.#listed();
     const of = chosen.length > 0 ? ` of ${chosen.map(core.bodyName).join(" and ")}` : "";
-    find("rows-title", HTMLElement).textContent = `Rows${of}: ${rows.length}`;
+    const rows = part.open ? this.#listed() : [];
+    const title = `Rows${of}` + (part.open ? `: ${rows.length}` : "");
+    find("rows-title", HTMLElement).textContent = title;
     this.#written = performance.now();
-    if (!part.open) return;
     while (this.#body.rows.length > rows.length) this.#body.deleteRow(-1);
     const { lit, predicted, revealed } = core.numbers();
     rows.forEach(({ index, kindWord, names, now, end }, i) => {
