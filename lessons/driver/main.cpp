@@ -33,6 +33,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run export 6    its pictures for documents, with alt texts; export --help has the flags
   bash lessons/run new NAME    a folder for a lesson of your own, which works at once: lessons/WRITING.md
   bash lessons/run playground  the core in a browser: one page, in out/playground/; installs emscripten
+  bash lessons/run release     playground and book, tested, as they are published: out/release/
   bash lessons/run cairn       the program for scenes of your own: cairn run FILE.toml
 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress

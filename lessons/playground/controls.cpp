@@ -84,15 +84,30 @@ List<Control> solver_controls() {
           {.name = "warm", .title = "Warm start"}, [](auto& c) -> auto& { return c.setting.warm_start; })};
 }
 
+/// A number that all bodies get, or each its own.
+Control of_all_bodies(Control control, std::optional<double> Controls::*number) {
+  control.choices.insert(control.choices.begin(), "as-in-scene");
+  control.value = [number](const Controls& c) {
+    return c.*number ? number_text(*(c.*number)) : "as-in-scene";
+  };
+  control.set = [number](Controls& c, const std::string& word, double) {
+    c.*number = word == "as-in-scene" ? std::nullopt : std::optional(std::stod(word));
+  };
+  return control;
+}
+
 List<Control> scene_controls() {
-  return {{.name = "friction",
-           .title = "Friction, all bodies",
-           .choices = {"as-in-scene", "0", "0.1", "0.2", "0.3", "0.4", "0.6", "0.8", "1", "1.5"},
-           .value = [](const Controls& c) { return c.friction ? number_text(*c.friction) : "as-in-scene"; },
-           .set =
-               [](Controls& c, const std::string& word, double) {
-                 c.friction = word == "as-in-scene" ? std::nullopt : std::optional(std::stod(word));
-               }},
+  return {control_of(
+              {.name = "gravity", .title = "Gravity", .unit = "m/s²", .most = 30},
+              [](auto& c) -> auto& { return c.gravity; }),
+          of_all_bodies({.name = "friction",
+                         .title = "Friction, all bodies",
+                         .choices = {"0", "0.1", "0.2", "0.3", "0.4", "0.6", "0.8", "1", "1.5"}},
+                        &Controls::friction),
+          of_all_bodies({.name = "bounce",
+                         .title = "Bounce, all bodies",
+                         .choices = {"0", "0.2", "0.4", "0.6", "0.8", "0.9", "1"}},
+                        &Controls::bounce),
           control_of(
               {.name = "mass-ratio",
                .title = "Mass of the uppermost body",
@@ -161,15 +176,19 @@ nlohmann::ordered_json array_of(const List<std::string>& words) {
   return array;
 }
 
-}  // namespace
-
-void set_control(Controls& controls, const Controls& recommended, const std::string& name,
-                 const std::string& value) {
+const Control& control_named(const std::string& name) {
   List<std::string> known;
   for (const Control& control : all_controls()) known.push_back(control.name);
   require_known(name, known, "playground", "setting");
   const auto found = std::find(known.begin(), known.end(), name);
-  const Control& control = all_controls()[static_cast<int>(found - known.begin())];
+  return all_controls()[static_cast<int>(found - known.begin())];
+}
+
+}  // namespace
+
+void set_control(Controls& controls, const Controls& recommended, const std::string& name,
+                 const std::string& value) {
+  const Control& control = control_named(name);
   if (!control.choices.empty()) {
     const std::string word = known_word(value, control.choices);
     if (word.empty()) require_known(value, control.choices, control.name, "choice");
@@ -196,9 +215,12 @@ std::string controls_text(const Controls& controls, const Controls& recommended)
   return all.dump();
 }
 
-bool can_go_on(const Controls& from, const Controls& to) {
-  return from.setting.scalar == to.setting.scalar && from.friction == to.friction &&
-         from.mass_ratio == to.mass_ratio && from.other == to.other;
+std::string control_text(const Controls& controls, const std::string& name) {
+  const Control& control = control_named(name);
+  const std::string value = control.value(controls) + (control.unit.empty() ? "" : " " + control.unit);
+  return control.title + ": " + (value == "as-in-scene" ? "as in the scene" : value);
 }
+
+bool can_go_on(const Controls& from, const Controls& to) { return from.setting.scalar == to.setting.scalar; }
 
 }  // namespace cairn::playground

@@ -13,6 +13,8 @@ struct Controls {
   Setting setting = {};                   // of the world that is looked at
   std::optional<std::string> other = {};  // a second solver beside it
   std::optional<double> friction = {};    // mu of all bodies; none: as the scene has it
+  std::optional<double> bounce = {};      // e of all bodies; none: as the scene has it
+  double gravity = 10;                    // [m/s^2], downwards where the scene has none
   double mass_ratio = 1;                  // by which the uppermost body is heavier than in the scene
 };
 
@@ -27,8 +29,10 @@ void set_control(Controls& controls, const Controls& recommended, const std::str
 /// recommended, unit, least, most, choices and what these mean.
 std::string controls_text(const Controls& controls, const Controls& recommended);
 
-/// Whether both need the same scene, and computations in the same number: then a world goes on from one to
-/// the other.
+/// One control with its value, such as "Gravity 5 m/s^2".
+std::string control_text(const Controls& controls, const std::string& name);
+
+/// Whether both compute in the same number: then a world goes on from one to the other.
 bool can_go_on(const Controls& from, const Controls& to);
 
 }  // namespace cairn::playground

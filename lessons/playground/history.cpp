@@ -1,6 +1,7 @@
 // A step's numbers, and one body's or pair's of all steps.
 #include "lessons/playground/history.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace cairn::playground {
@@ -23,13 +24,20 @@ void History::keep(const Snapshot& snapshot) {
     }
   }
   moments_.push_back(std::move(now));
-  while (size() > most_steps_ + 1) moments_.pop_front();
+  if (static_cast<int>(moments_.size()) > most_steps_ + 1) moments_.pop_front();
+  shown_ = static_cast<int>(moments_.size());
+}
+
+void History::show(int last_step) {
+  shown_ = static_cast<int>(std::count_if(moments_.begin(), moments_.end(),
+                                          [&](const Moment& moment) { return moment.step <= last_step; }));
 }
 
 List<double> History::of_body(BodyId body) const {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   List<double> numbers;
-  for (const Moment& moment : moments_) {
+  for (int i = 0; i < shown_; ++i) {
+    const Moment& moment = moments_[static_cast<std::size_t>(i)];
     const bool is_known = body.index >= 0 && body.index < moment.bodies.size();
     const BodyMoment now = is_known ? moment.bodies[body] : BodyMoment{};
     const double missing = now.is_there ? 0 : nothing;
@@ -41,7 +49,8 @@ List<double> History::of_body(BodyId body) const {
 
 List<double> History::of_pair(BodyId a, BodyId b) const {
   List<double> numbers;
-  for (const Moment& moment : moments_) {
+  for (int i = 0; i < shown_; ++i) {
+    const Moment& moment = moments_[static_cast<std::size_t>(i)];
     Vec2<double> force(0, 0);
     for (const Push& push : moment.pushes) {
       if (push.pair == std::pair(a, b)) force += push.force;

@@ -17,8 +17,10 @@ class History {
 
   /// The world at one of its steps. What was kept of that step and of later ones goes.
   void keep(const Snapshot& snapshot);
-  /// Steps that are kept.
-  int size() const { return static_cast<int>(moments_.size()); }
+  /// Shows no step after this one, until the next is kept.
+  void show(int last_step);
+  /// Steps that are shown.
+  int size() const { return shown_; }
   /// Of each, the oldest first: time [s], height of the centre of mass [m], speed [m/s], angular velocity
   /// [rad/s]. NaN where the body was not there.
   List<double> of_body(BodyId body) const;
@@ -43,6 +45,7 @@ class History {
   };
 
   int most_steps_;
+  int shown_ = 0;
   std::deque<Moment> moments_;
 };
 

@@ -26,8 +26,10 @@ Picture& picture() {
 constexpr double finger = 0.1;  // [m] by which it may miss a body
 
 // What is told where nothing can be: no row is lit or predicted, and nothing is there.
-constexpr double no_numbers[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, -1, 0, 0};
+constexpr double no_numbers[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, -1, 0, 0, 0, 0};
 constexpr double no_place[] = {0, -1, 0, 0};
+
+bool is_shown_whole = true;  // the next picture shows all of the scene
 
 double as_number(bool flag) { return flag ? 1 : 0; }
 
@@ -52,7 +54,10 @@ int cairn_patience(double seconds) {
 int cairn_most_text(void) { return cairn::most_scene_bytes; }
 
 int cairn_open(const char* text, const char* file) {
-  return done([&](Playground& p) { p.open(given(text, "open", "text"), given(file, "open", "file")); });
+  return done([&](Playground& p) {
+    p.open(given(text, "open", "text"), given(file, "open", "file"));
+    is_shown_whole = true;
+  });
 }
 const char* cairn_scene_text(void) {
   return told([](const Playground& p) -> const std::string& { return p.text(); });
@@ -87,6 +92,13 @@ int cairn_back(void) {
   return done([](Playground& p) { p.back(); });
 }
 
+int cairn_visit(int step) {
+  return done([&](Playground& p) { p.visit(step); });
+}
+int cairn_visit_row(int updates) {
+  return done([&](Playground& p) { p.visit_row(updates); });
+}
+
 int cairn_grab(double x, double y) {
   return done([&](Playground& p) { p.grab({x, y}, finger); });
 }
@@ -99,6 +111,12 @@ void cairn_let_go(void) {
 
 int cairn_add_box(double x, double y, double width, double height) {
   return done([&](Playground& p) { p.add_box({x, y}, {width, height}); });
+}
+int cairn_add_ball(double x, double y, double radius) {
+  return done([&](Playground& p) { p.add_ball({x, y}, radius); });
+}
+int cairn_add_rope(int body_a, double ax, double ay, int body_b, double bx, double by) {
+  return done([&](Playground& p) { p.add_rope({body_a}, {ax, ay}, {body_b}, {bx, by}); });
 }
 int cairn_remove(int body) {
   return done([&](Playground& p) { p.remove({body}); });
@@ -213,7 +231,9 @@ const double* cairn_numbers(void) {
                         static_cast<double>(p.steps_back()),
                         prediction ? static_cast<double>(prediction->row) : -1.0,
                         prediction ? prediction->force : 0,
-                        as_number(prediction && prediction->is_revealed)};
+                        as_number(prediction && prediction->is_revealed),
+                        static_cast<double>(p.last_step()),
+                        as_number(p.is_touched())};
   });
 }
 const char* cairn_words(void) {
@@ -240,10 +260,19 @@ int cairn_moment(double share) {
 }
 int cairn_draw(void) {
   return done([](Playground& p) {
+    if (is_shown_whole) picture().show_all();
+    is_shown_whole = false;
     picture().draw(p);
     picture().page().canvas().show();
   });
 }
+int cairn_zoom(double factor, double x, double y) {
+  return done([&](Playground&) { picture().zoom(factor, {x, y}); });
+}
+int cairn_pan(double x, double y) {
+  return done([&](Playground&) { picture().pan({x, y}); });
+}
+void cairn_show_all(void) { is_shown_whole = true; }
 const double* cairn_at(double x, double y) {
   return listed(no_place, [&](const Playground& p) {
     const PictureSpot spot = picture().at(p, {x, y});

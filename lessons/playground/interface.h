@@ -54,6 +54,11 @@ int cairn_sweep(void);
  *  600 steps. */
 int cairn_back(void);
 
+/** Shows another of the steps that are kept, from cairn_numbers(); what comes after it stays until something is done. */
+int cairn_visit(int step);
+/** The step under way after so many of its row updates; 0: not begun. */
+int cairn_visit_row(int updates);
+
 /** A hand takes hold of the body at a point of the world [m], until it lets go; 0 where there is none that can move. */
 int cairn_grab(double x, double y);
 /** The hand pulls to another point [m]. */
@@ -63,6 +68,10 @@ void cairn_let_go(void);
 
 /** Puts a box of this width and height [m] there. */
 int cairn_add_box(double x, double y, double width, double height);
+/** Puts a ball of this radius [m] there. */
+int cairn_add_ball(double x, double y, double radius);
+/** Puts a rope of links between two points [m], pinned to a body at each; 0 is the ground. */
+int cairn_add_rope(int body_a, double ax, double ay, int body_b, double bx, double by);
 /** Takes a body out, with all that is fastened to it. */
 int cairn_remove(int body);
 /** Pins two bodies to each other at a point [m]; body 0 is the ground. */
@@ -106,7 +115,7 @@ void cairn_reveal(void);
 /** Numbers of now: time [s], steps done, rows, contact points, row updates done in the step under way, all of its row
  *  updates, its sweep, residual R_E left there, ms of the last step's computation, the row lit (-1: none), whether the
  *  world has diverged (1 or 0), steps that can be taken back, the row predicted (-1: none), its prediction [N], whether it
- *  is revealed. */
+ *  is revealed, the last step that is kept, whether text and settings alone do not lead here (1 or 0). */
 const double* cairn_numbers(void);
 /** What has changed, in a sentence, for those who hear the page. */
 const char* cairn_words(void);
@@ -126,6 +135,12 @@ int cairn_show(int has_panels, int all_rows);
 int cairn_moment(double share);
 /** Draws the picture of now. In a browser: on the canvas with the id "cairn". */
 int cairn_draw(void);
+/** Shows the scene larger by a factor, around a place of the picture. */
+int cairn_zoom(double factor, double x, double y);
+/** Moves it by so many pixels. */
+int cairn_pan(double x, double y);
+/** Shows all of it, as after cairn_open(). */
+void cairn_show_all(void);
 /** What is at a place of the picture: kind (0 nothing, 1 the scene, 2 a row's bar), number (body, -1 for none; or row), x
  *  and y there (in m; on a bar x in N). */
 const double* cairn_at(double x, double y);

@@ -145,7 +145,9 @@ void Picture::draw_scene(const Playground& playground, int number, const Rect& r
   std::string title = is_alone ? "" : solver;
   if (number == 1) title += ", " + gap_text(playground.bench(0).snapshot(), snapshot) + " apart";
   const Rect inside = page_->panel(rect, title);
-  const render::Camera camera = render::fit(inside, view_of(playground));
+  render::Camera camera = render::fit(inside, view_of(playground));
+  camera.scale *= zoom_;
+  camera.center += shift_;
   cameras_.push_back(camera);
   render::WorldLook look{.numbers = false, .contacts = false};
   const SolveLook& solve = playground.look(number);

@@ -41,6 +41,14 @@ class Picture {
   void set_moment(double share);
 
   void draw(const Playground& playground);
+  /// Shows the scenes larger by this factor, around a place of the picture that was drawn last [px].
+  /// @throws std::invalid_argument unless the factor is > 0 and finite, and the place is finite.
+  void zoom(double factor, const render::Point& place);
+  /// Moves them by so much [px]. @throws std::invalid_argument unless it is finite.
+  void pan(const render::Point& by);
+  /// Shows all of them, as at first.
+  void show_all();
+
   /// Of the picture that was drawn last.
   PictureSpot at(const Playground& playground, const render::Point& place) const;
   /// Where a point of the scene [m] is on it.
@@ -77,6 +85,8 @@ class Picture {
   bool is_dark_ = false;
   std::unique_ptr<render::Page> page_;
   List<render::Camera> cameras_;
+  double zoom_ = 1;
+  Vec2<double> shift_ = {0, 0};  // [m] of the middle of the scenes
   render::BarPlaces bar_places_;
   List<BarLine> lines_;
   int first_bar_ = 0;  // the line of the first bar

@@ -24,6 +24,8 @@ constexpr int steps_a_checkpoint = 30;
 constexpr double seconds_a_checkpoint = 0.25;  // of computing, where steps are slow
 constexpr int updates_a_frame = 50'000;        // of rows, in search of their ends
 constexpr int updates_at_rest = 2'000'000;     // which take about as long as a student waits
+constexpr double floor_depth = 3;              // times as deep as the ground is thick
+constexpr double floor_end = 1e4;              // [m] to each side
 constexpr double far_end = 5;  // times the largest force: an end further off is not waited for
 
 double seconds_now() {
@@ -37,6 +39,34 @@ void widen(ForceRange& range, const VelocityProblem<double>& problem, const PerR
     const double force = impulse[i] / problem.dt;
     if (std::abs(force) <= largest) range = {std::min(range.least, force), std::max(range.most, force)};
   }
+}
+
+/// A floor without an end, deep under the ground: what leaves the ground lands there. Where bodies begin
+/// below the ground they have room to fall.
+void add_floor(Scene& scene) {
+  const auto reach = [&](BodyId id) {  // [m] from its lowest point to its highest
+    std::pair range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+    for (const Shape<double>& shape : scene.bodies()[id].spec.shapes) {
+      const Aabb<double> box = bounding_box<double>(shape, scene.bodies()[id].pose);
+      range = {std::min(range.first, box.lower.y()), std::max(range.second, box.upper.y())};
+    }
+    return range;
+  };
+  const auto [bottom, top] = reach(ground);
+  if (std::isinf(bottom) || !(scene.settings().gravity.y() < 0)) return;
+  for (const BodyId id : scene.bodies().indices())
+    if (reach(id).first < bottom) return;
+  scene.add_ground({.height = top - floor_depth * (top - bottom),
+                    .half_width = floor_end,
+                    .material = scene.bodies()[ground].spec.material});
+}
+
+/// As strong as the controls have it, the way that the scene has it.
+void give_gravity(Scene& scene, double strength) {
+  SceneSettings settings = scene.settings();
+  const double now = settings.gravity.norm();
+  settings.gravity = now > 0 ? Vec2<double>(settings.gravity * (strength / now)) : Vec2<double>(0, -strength);
+  scene.set_settings(settings);
 }
 
 /// Sweeps are to be seen: those of sequential impulses, where the scene names no solver.
@@ -60,8 +90,9 @@ void Playground::open(const std::string& text, const std::string& file) {
   const SceneEntry entry = read_scene_text(text, file);
   Controls controls{.setting = swept(entry)};
   controls.other = controls_.other;
+  controls.gravity = entry.make().settings().gravity.norm();
   begin(entry, controls);
-  recommended_ = {.setting = controls.setting};
+  recommended_ = {.setting = controls.setting, .gravity = controls.gravity};
   text_ = text;
   file_ = file;
   words_ = fmt::format("{}. {}", entry_.title, entry_.look);
@@ -76,7 +107,9 @@ void Playground::restart() {
 void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   const Scene start = entry.make();
   Scene scene = start;
+  add_floor(scene);
   give_materials(scene, start, entry.body_names, entry.body_names, controls);
+  if (controls.gravity != start.settings().gravity.norm()) give_gravity(scene, controls.gravity);
   List<std::unique_ptr<Bench>> benches;
   benches.push_back(make_bench(scene, controls.setting));
   if (controls.other) {
@@ -92,6 +125,8 @@ void Playground::begin(const SceneEntry& entry, const Controls& controls) {
   first_ = benches_[0]->snapshot();
   names_ = entry.body_names;
   changes_.clear();
+  end_.reset();
+  is_changed_ = false;
   prediction_.reset();
   lit_row_ = -1;
   has_diverged_ = false;
@@ -112,20 +147,27 @@ void Playground::set(const std::string& control, const std::string& value) {
     words_ = "From the start, for this cannot change while the scene runs.";
     return;
   }
+  stay_here();
   Benches benches = copies(benches_);
+  if (next.other && benches.size() == 1) benches.push_back(benches_[0]->copy());
+  if (!next.other && benches.size() == 2) benches.pop_back();
   for (int i = 0; i < benches.size(); ++i) {
     Setting setting = next.setting;
     if (i == 1) setting.solver = *next.other;
     benches[i]->set(setting);
-    benches[i]->edit([&](Scene& scene) { give_materials(scene, start_, names_, entry_.body_names, next); });
+    benches[i]->edit([&](Scene& scene) {
+      give_materials(scene, start_, names_, entry_.body_names, next);
+      if (next.gravity != controls_.gravity) give_gravity(scene, next.gravity);
+    });
   }
   List<SolveLook> looks = looks_of(benches);
   benches_ = std::move(benches);
   controls_ = next;
+  is_changed_ |= benches_[0]->steps() > 0;
   forget_solve();
   looks_ = std::move(looks);
   keep_now();
-  words_ = setting_text(controls_.setting);
+  words_ = control_text(controls_, control) + ".";
 }
 
 void Playground::set_patience(double seconds) {
@@ -150,6 +192,7 @@ void Playground::step(int count, double seconds) {
   require(seconds >= 0, "step", "seconds", "not below 0", seconds);
   if (has_diverged_)
     throw std::invalid_argument("There is no next step: a body would be at no finite place.");
+  stay_here();
   const double end = seconds_now() + seconds;
   all_or_nothing([&] {
     for (int i = 0; i < count && !has_diverged_ && (i == 0 || seconds_now() < end); ++i) take_step();
@@ -174,40 +217,6 @@ void Playground::take_step() {
       history_.keep(benches_[0]->snapshot());
     }
   });
-}
-
-void Playground::advance_rows(int count) {
-  require(count >= 1 && count <= most_steps, "row", "count", fmt::format("from 1 to {}", most_steps), count);
-  const int all = look(0).all_updates;
-  if (all == 0 && look(0).given.row_count() > 0) {
-    throw std::invalid_argument(controls_.setting.solver +
-                                " has no updates of single rows: take a whole step");
-  }
-  forces();  // of the whole solve
-  const int next = cursor_.value_or(0) + count;
-  List<SolveLook> looks;
-  if (next <= all) looks = looks_of(benches_, next);
-  if (looks.empty() || !looks[0].last) return step(1);  // also where a time budget has ended it sooner
-  cursor_ = next;
-  looks_ = std::move(looks);
-  const RowUpdate<double>& update = *look(0).last;
-  lit_row_ = update.row;
-  const double dt = look(0).given.dt;
-  words_ = fmt::format("Sweep {}, row {}: from {} to {} newtons.", update.sweep, update.row + 1,
-                       render::readable(update.impulse_before / dt, 2),
-                       render::readable(update.impulse_after / dt, 2));
-}
-
-void Playground::advance_sweep() {
-  const SolveLook& now = look(0);
-  const int sweeps = now.residuals.size() - 1;
-  const int a_sweep = std::max(1, now.all_updates / std::max(1, sweeps));
-  advance_rows(a_sweep - cursor_.value_or(0) % a_sweep);
-  const SolveLook& then = look(0);
-  if (!then.last) return;
-  lit_row_ = -1;
-  words_ = fmt::format("After sweep {}: the residual is {:.2g}.", then.last->sweep,
-                       then.residuals[then.last->sweep]);
 }
 
 void Playground::forget_solve() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -62,6 +63,10 @@ class Playground {
   void advance_sweep();
   /// Before the step under way, or else before the last one, with the bodies and the settings of then.
   void back();
+  /// Shows another of the steps that are kept; the later ones stay until something is done from here.
+  void visit(int step);
+  /// The step under way after so many of its row updates; 0: not begun.
+  void visit_row(int updates);
 
   /// The hand takes hold of the body at a point [m], or as near as `near` [m].
   void grab(const Vec2<double>& point, double near);
@@ -71,10 +76,14 @@ class Playground {
 
   /// A box of this size with its middle there [m].
   void add_box(const Vec2<double>& middle, const Vec2<double>& size);
+  /// A disc of this radius [m].
+  void add_ball(const Vec2<double>& middle, double radius);
+  /// A rope of short links between two points [m], pinned to a body at each; both may be the ground.
+  void add_rope(BodyId a, const Vec2<double>& from, BodyId b, const Vec2<double>& to);
   void remove(BodyId body);
   /// Pins b to a at a point [m].
   void pin(BodyId a, BodyId b, const Vec2<double>& point);
-  /// Takes the last of the three changes above back.
+  /// Takes the last of these changes back.
   void undo();
 
   void light_row(int row) { lit_row_ = std::max(row, -1); }
@@ -99,6 +108,11 @@ class Playground {
   /// Row updates done in the step under way; none where there is no such step.
   std::optional<int> cursor() const { return cursor_; }
   int steps_back() const;
+  /// The last of the steps that visit() leads to.
+  int last_step() const;
+  /// Whether a hand pulled, or the scene or a setting changed after the first step: then the text and the
+  /// settings alone do not lead here.
+  bool is_touched() const { return is_changed_ || !benches_[0]->hand_inputs().empty(); }
   int lit_row() const { return lit_row_; }
   const std::optional<Prediction>& prediction() const { return prediction_; }
   /// [s] the first world's last step.
@@ -122,6 +136,8 @@ class Playground {
     PerBody<std::string> names = {};
     Controls controls = {};
     int changes = 0;  // that undo() can take back
+    bool is_changed = false;
+    bool has_diverged = false;
   };
   struct Change {
     Moment before = {};
@@ -130,7 +146,11 @@ class Playground {
 
   static Benches copies(const Benches& benches);
   Moment now() const;
+  void take_over(const Moment& moment, Benches benches);
   void return_to(const Moment& moment, Benches benches);
+  Benches replayed(const Moment& from, const List<HandInput>& inputs, int target) const;
+  std::deque<Moment>::iterator kept_before(int step);
+  void stay_here();
   void keep_now();
   void begin(const SceneEntry& entry, const Controls& controls);
   static void give_materials(Scene& scene, const Scene& start, const PerBody<std::string>& names,
@@ -141,9 +161,13 @@ class Playground {
   void in_time(const std::function<void()>& act) const;
   List<SolveLook> looks_of(const Benches& benches, int updates = -1) const;
   void take_step();
+  bool go_to_row(int next);
   void forget_look() const { looks_.clear(); }
   void forget_solve();
-  std::string unused_name() const;
+  std::string unused_name(const std::string& kind) const;
+  void add_body(const std::string& kind, const std::string& shape, const Vec2<double>& middle);
+  void require_bodies(const char* act, std::initializer_list<BodyId> bodies) const;
+  Vec2<double> point_in_file(BodyId body, const Vec2<double>& point) const;
   std::string step_words() const;
 
   std::string text_;
@@ -159,6 +183,9 @@ class Playground {
   History history_{most_steps_back};
   double since_checkpoint_ = 0;  // [s] of computing
   List<Change> changes_;
+  std::optional<Moment> end_;  // while an earlier step is visited
+  int visited_changes_ = 0;    // of that step
+  bool is_changed_ = false;
   mutable List<SolveLook> looks_;
   mutable std::optional<PerRow<double>> ends_;
   mutable bool are_ends_rough_ = false;

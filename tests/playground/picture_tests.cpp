@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <utility>
 
 #include "lessons/playground/interface.h"
 
@@ -64,4 +65,27 @@ chain = [[-6, 1], [-4, 2], [-3, 2]]
   CHECK(cairn_grab(1.5, 2) == 0);
   CHECK(cairn_remove(1) == 1);
   CHECK(found(1.5, 2) == -1);
+}
+
+TEST_CASE("a picture comes nearer around a place, moves with it, and shows all of the next scene") {
+  const char* const text = "[ground]\nhalf_width = 8\n[[stack]]\nn = 2\nbox = [1, 1]\n";
+  REQUIRE(cairn_open(text, "scene") == 1);
+  REQUIRE(cairn_resize(1280, 720, 1) == 1);
+  REQUIRE(cairn_draw() == 1);
+  const auto place = [](double x, double y) {
+    const double* found = cairn_place(x, y);
+    return std::pair(found[0], found[1]);
+  };
+  const auto [x, y] = place(1, 1);
+  const double scale = place(2, 1).first - x;  // [px/m]
+  REQUIRE(cairn_zoom(3, x, y) == 1);
+  REQUIRE(cairn_pan(10, -20) == 1);
+  REQUIRE(cairn_draw() == 1);
+  CHECK(place(1, 1).first == doctest::Approx(x + 10));
+  CHECK(place(1, 1).second == doctest::Approx(y - 20));
+  CHECK(place(2, 1).first - place(1, 1).first == doctest::Approx(3 * scale));
+  CHECK(cairn_zoom(0, x, y) == 0);
+  REQUIRE(cairn_open(text, "scene") == 1);
+  REQUIRE(cairn_draw() == 1);
+  CHECK(place(1, 1) == std::pair(x, y));
 }

@@ -54,8 +54,9 @@ class Chance {
       "light",
       "gravity = [0, 0]\n[[body]]\ncircle = 0.5\nvelocity = [1.7e308, 0]\n",
       "[ground]\n[[stack]]\nn = 2\nbox = [1, 1]\n[recommended]\ntime_budget = 1e-9\niterations = 1000000\n"};
-  const List<const char*> settings = {"solver", "other", "sweeps", "warm",     "friction", "mass-ratio",
-                                      "policy", "beta",  "rate",   "substeps", "search",   "numbers"};
+  const List<const char*> settings = {"solver",     "other",    "sweeps", "warm",   "friction",
+                                      "mass-ratio", "gravity",  "bounce", "policy", "beta",
+                                      "rate",       "substeps", "search", "numbers"};
   const List<std::string> values =
       cairn::solver_names({"none",          "0",           "1",          "3",       "10",
                            "100",           "0.2",         "1.5",        "1000",    "on",
@@ -81,6 +82,15 @@ const List<std::pair<const char*, Act>> acts = {
     {"grab", [](Chance& c) { return cairn_grab(c.number(), c.number()); }},
     {"drag", [](Chance& c) { return cairn_drag(c.number(), c.number()); }},
     {"add_box", [](Chance& c) { return cairn_add_box(c.number(), c.number(), c.number(), c.number()); }},
+    {"add_ball", [](Chance& c) { return cairn_add_ball(c.number(), c.number(), c.number()); }},
+    {"add_rope",
+     [](Chance& c) {
+       return cairn_add_rope(c.index(), c.number(), c.number(), c.index(), c.number(), c.number());
+     }},
+    {"visit", [](Chance& c) { return cairn_visit(c.below(2) > 0 ? c.below(12) : c.index()); }},
+    {"visit_row", [](Chance& c) { return cairn_visit_row(c.below(2) > 0 ? c.below(30) : c.index()); }},
+    {"zoom", [](Chance& c) { return cairn_zoom(c.number(), 100 * c.number(), 100 * c.number()); }},
+    {"pan", [](Chance& c) { return cairn_pan(c.number(), c.number()); }},
     {"remove", [](Chance& c) { return cairn_remove(c.index()); }},
     {"pin", [](Chance& c) { return cairn_pin(c.index(), c.index(), c.number(), c.number()); }},
     {"undo", [](Chance&) { return cairn_undo(); }},
@@ -96,6 +106,7 @@ void tell_all(Chance& c) {
   cairn_light_row(c.index());
   if (c.below(9) == 0) cairn_let_go();
   if (c.below(9) == 0) cairn_reveal();
+  if (c.below(9) == 0) cairn_show_all();
   const double* bodies = cairn_bodies();
   double sum = 0;
   for (int i = 0; i < 8 * cairn_body_count(); ++i) sum += bodies[i];
@@ -107,7 +118,7 @@ void tell_all(Chance& c) {
   for (int i = 0; i < 4 * steps; ++i) sum += of_body[i];
   const double* of_pair = cairn_pair_history(c.index(), c.index());
   for (int i = 0; i < 2 * steps; ++i) sum += of_pair[i];
-  for (int i = 0; i < 15; ++i) sum += cairn_numbers()[i];
+  for (int i = 0; i < 17; ++i) sum += cairn_numbers()[i];
   for (int i = 0; i < 4; ++i) sum += cairn_at(c.number(), 100 * c.number())[i];
   for (int i = 0; i < 2; ++i) sum += cairn_place(c.number(), c.number())[i];
   CHECK((sum == sum || std::isnan(sum)));  // all of it was read

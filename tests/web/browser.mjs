@@ -7,14 +7,17 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { check, count, file, screenshots } from "./browser_tab.mjs";
 import { checkAllControls } from "./browser_controls.mjs";
+import { checkChange } from "./browser_change.mjs";
 import { checkFirst } from "./browser_first.mjs";
 import { checkGiven } from "./browser_given.mjs";
 import { checkLife } from "./browser_life.mjs";
 import { checkLooks } from "./browser_looks.mjs";
 import { checkMouse } from "./browser_mouse.mjs";
+import { checkOwn } from "./browser_own.mjs";
 import { checkPlot } from "./browser_plot.mjs";
 import { checkQuestions } from "./browser_questions.mjs";
 import { checkStill } from "./browser_still.mjs";
+import { checkView } from "./browser_view.mjs";
 import { checkWays } from "./browser_ways.mjs";
 
 const { chromium } = createRequire(join(process.cwd(), "web"))("playwright-core");
@@ -35,13 +38,16 @@ const browser = await chromium.launch({
 try {
   check(statSync(file).size <= largest, `the file has at most ${largest} bytes`, String(statSync(file).size));
   await checkAllControls(browser);
+  await checkChange(browser);
   await checkFirst(browser);
   await checkGiven(browser);
   await checkLife(browser);
   await checkMouse(browser);
+  await checkOwn(browser);
   await checkPlot(browser);
   await checkQuestions(browser);
   await checkStill(browser);
+  await checkView(browser);
   await checkWays(browser);
   await checkLooks(browser);
 } catch (error) {

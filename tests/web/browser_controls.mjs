@@ -34,6 +34,21 @@ const diverge = async (tab) => {
 const download = (tab) => tab.waitForEvent("download", { timeout: 3000 });
 const press = (selector) => (tab) => tab.click(selector);
 
+const keepScale = (tab) => tab.evaluate(() => (globalThis.was = cairn.scale()));
+const openRows = press("#rows > summary");
+const isSorted = (column) => ({
+  before: async (tab) => {
+    await openRows(tab);
+    await tab.click(`#sort-${(column + 1) % 5}`);
+  },
+  holds: `document.getElementById("sort-${column}").parentElement.ariaSort === "ascending"`,
+});
+const chooseBody = async (tab) => {
+  await tab.focus("#cairn");
+  await tab.keyboard.press("ArrowRight");
+  await tab.waitForSelector("#plot:not([hidden])");
+};
+
 /**
  * By the id of each control: what comes before it is used, what then holds in the page, or what the browser then does.
  * "in" is the address, where it is another.
@@ -68,13 +83,36 @@ const controls = {
   "tool-remove": { holds: () => document.getElementById("tool-remove").checked },
   "tool-pin": { holds: () => document.getElementById("tool-pin").checked },
   "plot-close": {
-    before: async (tab) => {
-      await tab.focus("#cairn");
-      await tab.keyboard.press("ArrowRight");
-      await tab.waitForSelector("#plot:not([hidden])");
-    },
+    before: chooseBody,
     holds: () => document.getElementById("plot").hidden,
   },
+  "tool-ball": { holds: () => document.getElementById("tool-ball").checked },
+  "tool-rope": { holds: () => document.getElementById("tool-rope").checked },
+  "zoom-in": { before: keepScale, holds: () => cairn.scale() > globalThis.was },
+  "zoom-out": { before: keepScale, holds: () => cairn.scale() < globalThis.was },
+  "zoom-all": {
+    before: async (tab) => (await keepScale(tab), await tab.keyboard.press("+")),
+    holds: () => cairn.scale() === globalThis.was,
+  },
+  "scrub-step": {
+    before: async (tab) => {
+      await tab.evaluate(() => (cairn.step(5), cairn.visit(0)));
+      await tell(tab);
+    },
+    holds: () => cairn.numbers().steps > 0,
+    isSlider: true,
+  },
+  "scrub-row": { holds: () => cairn.numbers().updates > 0, isSlider: true },
+  rows: { holds: () => document.querySelectorAll("#rows tbody tr").length === 40 },
+  "rows-all": {
+    before: chooseBody,
+    holds: () => document.getElementById("rows-title").textContent === "Rows: 40",
+  },
+  "sort-0": isSorted(0),
+  "sort-1": isSorted(1),
+  "sort-2": isSorted(2),
+  "sort-3": isSorted(3),
+  "sort-4": isSorted(4),
   undo: { before: edit, holds: () => cairn.bodies().length === 11 },
   answer: {
     before: press("#question-try"),
@@ -120,7 +158,7 @@ const found = () =>
     .filter((each) => !each.closest(".field"))
     .map((each) => each.id || each.parentElement.id);
 
-const folded = ["settings-rest", "scene-file", "plan-part", "legend"];
+const folded = ["rows", "settings-rest", "scene-file", "plan-part", "legend"];
 const lists = ["scene", "challenge-list"];
 const selectorOf = (id) => (folded.includes(id) ? `#${id} > summary` : `#${id}`);
 
@@ -186,6 +224,7 @@ async function useOne(tab, id, way) {
   const selector = selectorOf(id);
   const done = control.does?.(tab);
   if (control.text) await write(tab, selector, control.text, way);
+  else if (control.isSlider) await way.pull(tab, tab.locator(selector));
   else if (lists.includes(id)) await way.choose(tab, selector);
   else await way.use(tab, selector);
   const claim = `${id} works by ${way === mouse ? "mouse" : "keyboard"}`;

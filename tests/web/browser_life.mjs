@@ -45,7 +45,11 @@ async function checkAddress(tab) {
   );
   await tab.click("#link");
   const link = await tab.evaluate(() => navigator.clipboard.readText());
-  check(link.startsWith("file:") && link.endsWith(hash), "the button copies that link", link);
+  check(
+    link.startsWith("file:") && link.endsWith(hash + "&at=30"),
+    "the button copies that link, at this step",
+    link,
+  );
   await tab.click("#scene-file summary");
   const text = (await tab.inputValue("#text")).replace(/^n = \d+/m, "n = 3  # λ");
   await tab.fill("#text", text);

@@ -1,6 +1,7 @@
 // What all parts of the page share: the core, its time, and what follows an act.
 import { isRefusal, say, sayRefusal } from "./words.js";
 import { Player } from "./player.js";
+import { ownFile } from "./own.js";
 
 /** @typedef {import("./core.js").Core} Core */
 /** @typedef {{name: string, title: string, look: string, order: number, text: string}} SceneFile */
@@ -12,6 +13,8 @@ export class App {
   scenes;
   /** The name of the scene that is open. */
   scene = "";
+  /** How often one was opened. */
+  opened = 0;
   /** What is plotted: a body, or two and the force between them. @type {number[]} */
   chosen = [];
   /** @type {(() => void)[]} */
@@ -115,7 +118,7 @@ export class App {
     if (this.player.target > 0) this.player.pause();
     const file = this.scenes.find((scene) => scene.name === name) ?? this.scenes[0];
     const isOpened = this.core.open(text ?? file.text, file.name);
-    if (isOpened) [this.scene, this.chosen] = [file.name, []];
+    if (isOpened) [this.scene, this.chosen, this.opened] = [file.name, [], this.opened + 1];
     return isOpened;
   }
 
@@ -123,6 +126,11 @@ export class App {
   restart() {
     this.player.pause();
     return this.core.restart();
+  }
+
+  /** What is open: the file of the list, or what a text of one's own calls itself. */
+  get own() {
+    return ownFile(this.file, this.core.sceneText());
   }
 
   /** The file of the scene that is open, as it is in the list. */

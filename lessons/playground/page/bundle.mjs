@@ -38,18 +38,34 @@ const texts = Object.fromEntries(
       .map((name) => [basename(name, ".toml"), readFileSync(join(folder, name), "utf8")]),
   ),
 );
-const packed = (content) => lettersOf(gzipSync(content, { level: 9, memLevel: 9 }));
+const zipped = (content) => gzipSync(content, { level: 9, memLevel: 9 });
+const packed = (content) => lettersOf(zipped(content));
 const wasm = packed(readFileSync(join(built, "cairn_playground.wasm")));
+// Scripts, in base 64, which a browser unpacks without one of ours: this one runs them.
+const begin = `(async () => {
+  for (const id of ["core-script", "page-script"]) {
+    const bytes = Uint8Array.from(atob(document.getElementById(id).textContent), (c) => c.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    document.body.append(Object.assign(document.createElement("script"), { text: await new Response(stream).text() }));
+  }
+})()`;
 const parts = {
-  style: `<style>${esbuild("style.css")}${esbuild("layout.css")}${esbuild("plot.css")}${esbuild("beginning.css")}</style>`,
+  style: `<style>${["style", "layout", "plot", "beginning", "view"].map((name) => esbuild(`${name}.css`)).join("")}</style>`,
   scripts: [
     script(packed(JSON.stringify(texts)), ' type="text/plain" id="scenes"'),
     script(wasm, ' type="text/plain" id="wasm"'),
-    script(readFileSync(join(built, "cairn_playground.js"), "utf8")),
-    script(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")),
+    script(zipped(readFileSync(join(built, "cairn_playground.js"))).toString("base64"), ' type="text/plain" id="core-script"'),
+    script(
+      zipped(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")).toString("base64"),
+      ' type="text/plain" id="page-script"',
+    ),
+    script(begin),
   ].join("\n"),
 };
-const html = page("index.html").replace(/<!-- (style|scripts) -->/g, (_, name) => parts[name]);
+const address = readFileSync(join(here, "../base_address.txt"), "utf8").trim();
+const html = page("index.html")
+  .replace('data-address=""', () => `data-address="${address}"`)
+  .replace(/<!-- (style|scripts) -->/g, (_, name) => parts[name]);
 mkdirSync(dirname(out), { recursive: true });
 writeFileSync(out, html);
 console.log(

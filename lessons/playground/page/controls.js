@@ -7,7 +7,17 @@ import { numberIn } from "./words.js";
 /** @typedef {{element: HTMLElement, update: (setting: Setting) => void}} Field */
 /** @typedef {(value: string, isDone: boolean) => boolean} Apply sets it; the student is done with it, or still pulls */
 
-const shownFirst = ["solver", "other", "sweeps", "warm", "policy", "friction", "mass-ratio"];
+const shownFirst = [
+  "solver",
+  "other",
+  "sweeps",
+  "warm",
+  "gravity",
+  "friction",
+  "bounce",
+  "mass-ratio",
+  "policy",
+];
 const sliderEnd = 1000;
 
 /** @param {Setting} setting */

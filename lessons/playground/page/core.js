@@ -56,6 +56,8 @@ const numberNames = /** @type {const} */ ([
   "predicted",
   "prediction",
   "revealed",
+  "lastStep",
+  "touched",
 ]);
 /** @typedef {Record<(typeof numberNames)[number], number>} Numbers */
 
@@ -165,6 +167,19 @@ export class Core {
   drag = (x, y) => this.#try("drag", x, y);
   /** @type {(x: number, y: number, width: number, height: number) => boolean} */
   addBox = (x, y, width, height) => this.#try("add_box", x, y, width, height);
+  /** @type {(x: number, y: number, radius: number) => boolean} */
+  addBall = (x, y, radius) => this.#try("add_ball", x, y, radius);
+  /** @type {(a: number, from: {x: number, y: number}, b: number, to: {x: number, y: number}) => boolean} */
+  addRope = (a, from, b, to) => this.#try("add_rope", a, from.x, from.y, b, to.x, to.y);
+  /** @type {(step: number) => boolean} */
+  visit = (step) => this.#try("visit", step);
+  /** @type {(updates: number) => boolean} */
+  visitRow = (updates) => this.#try("visit_row", updates);
+  /** @type {(factor: number, x: number, y: number) => boolean} */
+  zoom = (factor, x, y) => this.#try("zoom", factor, x, y);
+  /** @type {(x: number, y: number) => boolean} */
+  pan = (x, y) => this.#try("pan", x, y);
+  showAll = () => void this.#try("show_all");
   /** @type {(body: number) => boolean} */
   remove = (body) => this.#try("remove", body);
   /** @type {(a: number, b: number, x: number, y: number) => boolean} */

@@ -24,11 +24,11 @@ class Cursor {
 
   /** @param {KeyboardEvent} event @returns {boolean} whether the key was for it */
   press(event) {
-    if (event.altKey || event.ctrlKey || event.metaKey) return false;
+    if (event.shiftKey || event.altKey || event.ctrlKey || event.metaKey) return false;
     const direction = directions[/** @type {keyof typeof directions} */ (event.key)];
     if (direction) this.#go(direction);
     else if (event.key === "Enter") this.#use();
-    else if (event.key === "g" && this.#tools.pin) this.#tools.press(0, 0, 0);
+    else if (event.key.toLowerCase() === "g" && this.#tools.pin) this.#tools.press(0, 0, 0);
     else if (event.key === "Delete") this.#remove();
     else if (event.key === "Escape") return this.#tools.cancel();
     else return false;
@@ -89,9 +89,9 @@ class Cursor {
     const body = this.#app.core.bodies()[this.#chosen];
     if (this.#tools.isHolding) return this.#tools.letGo();
     if (!this.#canChoose(body)) return say("Choose a body first, with the arrow keys.");
-    if (this.#tools.tool === "box") {
+    if (this.#tools.isDrawn) {
       const over = { x: body.x, y: body.y + 90 / this.#app.core.scale() };
-      return this.#tools.box(over, over);
+      return this.#tools.put(over, over);
     }
     this.#hand = { x: body.x, y: body.y };
     this.#tools.press(this.#chosen, body.x, body.y);
@@ -137,7 +137,12 @@ export function lightNext(app, by) {
   if (rows === 0) return say("There are no rows now.");
   const next = ((((lit < 0 && by < 0 ? 0 : lit) + by) % rows) + rows) % rows;
   chooseRow(app, next);
-  app.act(() => (app.core.lightRow(next), true), litWords(app.core, next));
+  lightRow(app, next);
+}
+
+/** @param {App} app @param {number} row */
+export function lightRow(app, row) {
+  app.act(() => (app.core.lightRow(row), true), litWords(app.core, row));
 }
 
 /** @param {App} app @param {Tools} tools */

@@ -18,12 +18,19 @@ const keys = [
   { key: "b", shown: "B", button: "tool-box", says: "box" },
   { key: "x", shown: "X", button: "tool-remove", says: "remove" },
   { key: "p", shown: "P", button: "tool-pin", says: "pin" },
+  { key: "o", shown: "O", button: "tool-ball", says: "ball" },
+  { key: "t", shown: "T", button: "tool-rope", says: "rope" },
+  { key: "+", shown: "+", button: "zoom-in", says: "nearer; the wheel and two fingers do it, too" },
+  { key: "=", button: "zoom-in" }, // the same key without Shift
+  { key: "-", shown: "−", button: "zoom-out", says: "further away" },
+  { key: "0", shown: "0", button: "zoom-all", says: "the whole scene" },
   { key: "d", shown: "D", button: "theme", says: "dark or light" },
   { key: "?", shown: "?", button: "keys", says: "these keys" },
 ];
 
 /** What has no button. */
 const others = [
+  { shown: "Shift + arrows", says: "move what is seen; so does a pull on an empty place" },
   { shown: "J, K", says: "light up the next row, or the one before" },
   { shown: "Tab", says: "to the next control; the picture is one" },
   { shown: "Escape", says: "on the way to a step: end it here" },
@@ -34,7 +41,7 @@ const onPicture = [
   { shown: "← ↑ → ↓", says: "choose a body and plot it, or pull what the hand holds" },
   { shown: "Enter", says: "use the tool on that body; once more lets go" },
   { shown: "Delete", says: "remove that body" },
-  { shown: "G", says: "with the tool Pin: pin the body to the ground" },
+  { shown: "G", says: "with Pin or Rope begun: on to the ground" },
   { shown: "Escape", says: "let go" },
 ];
 
@@ -45,8 +52,8 @@ function isForElement(event) {
   return onButton && (event.key === " " || event.key === "Enter");
 }
 
-/** @param {App} app */
-export function setUpKeys(app) {
+/** @param {App} app @param {import("./view.js").View} view */
+export function setUpKeys(app, view) {
   const dialog = find("keys-dialog", HTMLDialogElement);
   const isOn = find("letters", HTMLInputElement);
   isOn.checked = kept("cairn-letters") !== "off";
@@ -56,10 +63,9 @@ export function setUpKeys(app) {
     ["Everywhere", [...keys, ...others]],
     ["While the picture has the focus", onPicture],
   ])) {
-    const lines = some.flatMap(({ shown, says }) => [
-      make("dt", {}, make("kbd", { textContent: shown })),
-      make("dd", { textContent: says }),
-    ]);
+    const lines = some.flatMap(({ shown, says }) =>
+      shown ? [make("dt", {}, make("kbd", { textContent: shown })), make("dd", { textContent: says })] : [],
+    );
     list.append(make("section", {}, make("h3", { textContent: title }), make("dl", {}, ...lines)));
   }
   button("keys").addEventListener("click", () => dialog.showModal());
@@ -69,6 +75,7 @@ export function setUpKeys(app) {
     if (!isUndo && (event.altKey || event.ctrlKey || event.metaKey)) return;
     if (event.defaultPrevented || isForElement(event) || (event.key.length === 1 && !isOn.checked)) return;
     const letter = event.key.toLowerCase();
+    if (event.shiftKey && view.panByKey(event.key)) return event.preventDefault();
     const found = keys.find(({ key }) => key === event.key || key === letter);
     if (found) document.getElementById(found.button)?.click();
     else if (letter === "j" || letter === "k") lightNext(app, letter === "j" ? 1 : -1);

@@ -18,8 +18,11 @@ import { setUpMotion } from "./motion.js";
 import { setUpPlot } from "./plot.js";
 import { setUpPointer } from "./pointer.js";
 import { setUpQuiz } from "./quiz.js";
+import { setUpRows } from "./rows.js";
 import { setUpSaving } from "./save.js";
+import { setUpScrub } from "./scrub.js";
 import { setUpTheme } from "./theme.js";
+import { setUpView } from "./view.js";
 
 /** @typedef {import("./address.js").Address} Address */
 
@@ -108,7 +111,7 @@ function setUpButtons(app) {
     const { diverged, rows } = core.numbers();
     show(find("diverged", HTMLElement), diverged === 1);
     const bodies = core.bodies().filter(({ isThere }) => isThere).length;
-    const now = `${app.file.title}: ${bodies} bodies with the ground, ${rows} rows.`;
+    const now = `${app.own.title}: ${bodies} bodies with the ground, ${rows} rows.`;
     find("canvas-now", HTMLElement).textContent = now;
     writePlan();
   });
@@ -192,7 +195,6 @@ async function followAddress(app) {
   const number = ++asked;
   const address = await readAddress(location.hash, app.core.mostText);
   if (number === asked) openAddress(app, address);
-  return address;
 }
 
 async function begin() {
@@ -201,12 +203,16 @@ async function begin() {
   const scenes = JSON.parse(new TextDecoder().decode(await unpacked("scenes")));
   const app = new App(core, sceneFiles(scenes));
   const tools = new Tools(app);
+  const address = await readAddress(location.hash, core.mostText);
   setUpTheme(app);
   setUpScenes(app);
   setUpControls(app);
-  setUpPointer(app, tools);
+  const view = setUpView(app, address.isEmbedded);
+  setUpPointer(app, tools, view);
   setUpCursor(app, tools);
-  setUpKeys(app);
+  setUpKeys(app, view);
+  setUpScrub(app);
+  setUpRows(app);
   setUpGoing(app);
   setUpPlot(app);
   setUpQuiz(app);
@@ -214,7 +220,7 @@ async function begin() {
   setUpButtons(app);
   setUpLegend();
   setUpNumbers(app);
-  const address = await followAddress(app);
+  openAddress(app, address);
   setUpSaving(app, address.isEmbedded);
   if (address.isEmbedded) embed(app, address);
   setUpBeginning(app, address.isGiven);

@@ -5,16 +5,18 @@ import { litWords } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("./tools.js").Tools} Tools */
+/** @typedef {import("./view.js").View} View */
 
 const canvas = find("cairn", HTMLCanvasElement);
 const rubber = find("rubber", HTMLElement);
+const leastPull = 10; // [px] of a rope that is pulled, not pressed
 
 /**
  * Where an event is on the picture [px].
  * @param {App} app
  * @param {{clientX: number, clientY: number}} event
  */
-function placeOf(app, event) {
+export function placeOf(app, event) {
   const box = canvas.getBoundingClientRect();
   const scale = app.core.width / box.width;
   return { x: (event.clientX - box.left) * scale, y: (event.clientY - box.top) * scale };
@@ -23,15 +25,17 @@ function placeOf(app, event) {
 class Pointer {
   #app;
   #tools;
-  /** What is under way. @type {"" | "hand" | "press" | "bar" | "box"} */
+  #view;
+  /** What is under way. @type {"" | "hand" | "press" | "bar" | "draw" | "rope" | "pan"} */
   #drag = "";
   #row = -1;
   #from = { x: 0, y: 0 };
 
-  /** @param {App} app @param {Tools} tools */
-  constructor(app, tools) {
+  /** @param {App} app @param {Tools} tools @param {View} view */
+  constructor(app, tools, view) {
     this.#app = app;
     this.#tools = tools;
+    this.#view = view;
   }
 
   /** Whether the tool can do something with the body there. @param {import("./core.js").Place} under */
@@ -40,12 +44,17 @@ class Pointer {
     return this.#tools.tool !== "hand" || this.#app.core.bodies()[under.number].canMove;
   }
 
+  /** Whether the tool can do something where there is no body. */
+  get #isAnywhere() {
+    return this.#tools.isDrawn || this.#tools.tool === "rope";
+  }
+
   /** Whether a press there does something, so that a finger there must not scroll the page. */
   wants(/** @type {{clientX: number, clientY: number}} */ event) {
     const { x, y } = placeOf(this.#app, event);
     const under = this.#app.core.at(x, y);
     if (under.kind === "row") return this.#isPredicted(under.number);
-    return under.kind === "scene" && (this.#tools.tool === "box" || this.#isOfUse(under));
+    return under.kind === "scene" && (this.#isAnywhere || this.#isOfUse(under));
   }
 
   /** @param {number} row */
@@ -61,7 +70,7 @@ class Pointer {
     const under = core.at(x, y);
     this.#from = { x, y };
     if (under.kind === "row") this.#pressBar(under);
-    if (under.kind === "scene") this.#pressScene(under);
+    if (under.kind === "scene") this.#pressScene(under, event.pointerType);
     if (this.#drag !== "") canvas.setPointerCapture(event.pointerId);
   }
 
@@ -86,11 +95,14 @@ class Pointer {
     this.#app.act(() => (core.lightRow(isLit ? -1 : this.#row), true), words);
   }
 
-  /** @param {import("./core.js").Place} under */
-  #pressScene(under) {
-    if (this.#tools.tool === "box") this.#drag = "box";
+  /** A finger on an empty place scrolls the page; two fingers move the scene. @param {import("./core.js").Place} under @param {string} by */
+  #pressScene(under, by) {
+    const { tool } = this.#tools;
+    if (this.#tools.isDrawn) this.#drag = "draw";
     else this.#tools.press(under.number, under.x, under.y);
     if (this.#tools.isHolding) this.#drag = "hand";
+    if (tool === "rope" && this.#tools.pin) this.#drag = "rope";
+    if (tool === "hand" && under.number <= 0 && by !== "touch") this.#drag = "pan";
   }
 
   move(/** @type {PointerEvent} */ event) {
@@ -101,7 +113,12 @@ class Pointer {
       const point = under.kind === "scene" ? under : core.point(x, y);
       this.#tools.drag(point.x, point.y);
     }
-    if (this.#drag === "box") this.#stretch(x, y);
+    if (this.#drag === "draw") this.#stretch(x, y);
+    if (this.#drag === "rope") this.#span(x, y);
+    if (this.#drag === "pan") {
+      this.#view.pan(x - this.#from.x, y - this.#from.y);
+      this.#from = { x, y };
+    }
     if (this.#drag === "bar") {
       const under = core.at(x, this.#from.y);
       if (under.kind === "row") this.#pullBar(under.x);
@@ -113,10 +130,12 @@ class Pointer {
     const { x, y } = placeOf(this.#app, event);
     const { core } = this.#app;
     if (this.#drag === "hand") this.#tools.letGo();
-    if (this.#drag === "box") {
-      show(rubber, false);
-      this.#tools.box(core.point(this.#from.x, this.#from.y), core.point(x, y));
-    }
+    show(rubber, false);
+    if (this.#drag === "draw") this.#tools.put(core.point(this.#from.x, this.#from.y), core.point(x, y));
+    const isPulled = Math.hypot(x - this.#from.x, y - this.#from.y) > leastPull;
+    const end = core.at(x, y);
+    if (this.#drag === "rope" && isPulled && end.kind === "scene")
+      this.#tools.press(end.number, end.x, end.y);
     if (this.#drag === "bar") this.#app.act(() => true);
     const under = core.at(x, y);
     if (this.#drag === "press" && under.kind === "row" && under.number === this.#row) this.#light();
@@ -135,25 +154,39 @@ class Pointer {
     const under = this.#app.core.at(x, y);
     if (under.kind === "row") return this.#isPredicted(under.number) ? "ew-resize" : "pointer";
     if (under.kind !== "scene") return "default";
-    if (this.#tools.tool === "box") return "crosshair";
+    if (this.#isAnywhere) return "crosshair";
     if (this.#isOfUse(under)) return this.#tools.tool === "hand" ? "grab" : "pointer";
-    return "default";
+    return this.#tools.tool === "hand" ? "move" : "default";
   }
 
-  /** Draws the box that is pulled out. @param {number} x @param {number} y */
+  /** Draws the box or ball that is pulled out. @param {number} x @param {number} y */
   #stretch(x, y) {
     const scale = canvas.clientWidth / this.#app.core.width;
     rubber.style.left = Math.min(x, this.#from.x) * scale + "px";
     rubber.style.top = Math.min(y, this.#from.y) * scale + "px";
+    rubber.style.transform = "";
+    rubber.style.borderRadius = this.#tools.tool === "ball" ? "50%" : "0";
     rubber.style.width = Math.abs(x - this.#from.x) * scale + "px";
     rubber.style.height = Math.abs(y - this.#from.y) * scale + "px";
     show(rubber, true);
   }
+
+  /** Draws the rope that is pulled. @param {number} x @param {number} y */
+  #span(x, y) {
+    const scale = canvas.clientWidth / this.#app.core.width;
+    const way = { x: x - this.#from.x, y: y - this.#from.y };
+    rubber.style.left = this.#from.x * scale + "px";
+    rubber.style.top = this.#from.y * scale + "px";
+    rubber.style.width = Math.hypot(way.x, way.y) * scale + "px";
+    rubber.style.height = "0";
+    rubber.style.transform = `rotate(${Math.atan2(way.y, way.x)}rad)`;
+    show(rubber, true);
+  }
 }
 
-/** @param {App} app @param {Tools} tools */
-export function setUpPointer(app, tools) {
-  const pointer = new Pointer(app, tools);
+/** @param {App} app @param {Tools} tools @param {View} view */
+export function setUpPointer(app, tools, view) {
+  const pointer = new Pointer(app, tools, view);
   canvas.addEventListener("pointerdown", (event) => pointer.down(event));
   canvas.addEventListener("pointermove", (event) => pointer.move(event));
   canvas.addEventListener("pointerup", (event) => pointer.up(event));
@@ -161,6 +194,7 @@ export function setUpPointer(app, tools) {
   canvas.addEventListener("keydown", (event) => event.key === "Escape" && pointer.cancel());
   // A finger scrolls the page, but where it takes hold of something.
   const onTouch = (/** @type {TouchEvent} */ event) => {
+    if (event.touches.length === 2) pointer.cancel(); // they move the scene
     if (event.touches.length === 1 && pointer.wants(event.touches[0])) event.preventDefault();
   };
   canvas.addEventListener("touchstart", onTouch, { passive: false });

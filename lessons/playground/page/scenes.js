@@ -1,5 +1,6 @@
 // The list of scenes, and the text of the one that is open, edited and run in place.
 import { button, find, make, show } from "./dom.js";
+import { said } from "./own.js";
 import { say, sayRefusal } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
@@ -7,6 +8,7 @@ import { say, sayRefusal } from "./words.js";
 
 const list = find("scene", HTMLSelectElement);
 const text = find("text", HTMLTextAreaElement);
+const own = make("option", { value: "own" }); // while the text is no longer that of the list
 const refusal = find("text-refusal", HTMLElement);
 
 /**
@@ -15,8 +17,6 @@ const refusal = find("text-refusal", HTMLElement);
  * @returns {SceneFile[]}
  */
 export function sceneFiles(texts) {
-  const said = (/** @type {string} */ text, /** @type {string} */ key) =>
-    new RegExp(`^${key} *= *"?([^"\\n]*)`, "m").exec(text)?.[1] ?? "";
   return Object.entries(texts)
     .map(([name, text]) => ({
       name,
@@ -54,9 +54,12 @@ function runText(app) {
 function followCore(app) {
   const now = app.core.sceneText();
   if (!text.dataset.edited && text.value !== now) text.value = now;
-  list.value = app.scene;
-  const { look } = app.file;
+  const { look, title } = app.own;
   const isChanged = now !== app.file.text;
+  own.textContent = title;
+  if (isChanged) list.append(own);
+  else own.remove();
+  list.value = isChanged ? own.value : app.scene;
   find("look", HTMLElement).textContent = look;
   show(button("original"), isChanged || Boolean(text.dataset.edited));
 }

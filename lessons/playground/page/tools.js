@@ -3,11 +3,13 @@ import { find } from "./dom.js";
 import { say, sayRefusal } from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
-/** @typedef {"hand" | "box" | "remove" | "pin"} Tool */
+/** @typedef {"hand" | "box" | "ball" | "rope" | "remove" | "pin"} Tool */
 
 const hints = {
   hand: "Hand: press on a body and pull it; its height and speed are plotted. Press on a bar to light up its row.",
   box: "Box: draw a box in the scene. A short press makes one of middle size.",
+  ball: "Ball: draw a ball in the scene. A short press makes one of middle size.",
+  rope: "Rope: pull it from one place to another, or press on both. It is pinned to the bodies there, or to the ground.",
   remove: "Remove: press on the body that shall go.",
   pin: "Pin: press on a body where the pin shall be, then on another body or on the ground.",
 };
@@ -17,7 +19,7 @@ export class Tools {
   /** @type {Tool} */
   tool = "hand";
   isHolding = false;
-  /** Where a pin shall be, once its first body is known. @type {{body: number, x: number, y: number} | null} */
+  /** Where a pin shall be, or a rope begin, once its first body is known. @type {{body: number, x: number, y: number} | null} */
   pin = null;
   #app;
 
@@ -27,6 +29,11 @@ export class Tools {
     for (const input of document.querySelectorAll("input[name=tool]")) {
       input.addEventListener("change", () => this.choose(/** @type {HTMLInputElement} */ (input).value));
     }
+  }
+
+  /** Whether it draws a body out. */
+  get isDrawn() {
+    return this.tool === "box" || this.tool === "ball";
   }
 
   /** @param {string} tool */
@@ -40,7 +47,7 @@ export class Tools {
   }
 
   /**
-   * Uses the tool on a body at a point [m]; body -1 is nothing, 0 the ground. The box has its own ways.
+   * Uses the tool on a body at a point [m]; body -1 is nothing, 0 the ground. What is drawn out has its own ways.
    * @param {number} body
    * @param {number} x
    * @param {number} y
@@ -50,6 +57,7 @@ export class Tools {
     if (this.tool === "hand") this.#grab(body, x, y);
     if (this.tool === "remove" && body > 0) this.#remove(body);
     if (this.tool === "pin") this.#pin(body, x, y);
+    if (this.tool === "rope") this.#rope(Math.max(body, 0), x, y);
   }
 
   /** @param {number} body @param {number} x @param {number} y */
@@ -99,25 +107,44 @@ export class Tools {
     this.#app.player.wake();
   }
 
+  /** @param {number} body @param {number} x @param {number} y */
+  #rope(body, x, y) {
+    const { core } = this.#app;
+    const begun = this.pin;
+    if (begun === null) {
+      this.pin = { body, x, y };
+      say(`A rope from ${core.bodyName(body)}, and to where? Press on another body, or on the ground.`);
+    } else {
+      this.pin = null;
+      this.#app.act(() => core.addRope(begun.body, begun, body, { x, y }));
+    }
+    this.#app.player.wake();
+  }
+
   /**
-   * Puts a box between two corners [m]; one of middle size where they are next to each other.
+   * Puts a box or a ball between two corners [m]; one of middle size where they are next to each other.
    * @param {{x: number, y: number}} from
    * @param {{x: number, y: number}} to
    */
-  box(from, to) {
+  put(from, to) {
     const { core } = this.#app;
     const usual = Number((usualBox / core.scale()).toPrecision(2));
     let [width, height] = [Math.abs(to.x - from.x), Math.abs(to.y - from.y)];
     if (Math.max(width, height) * core.scale() < usualBox / 6) [width, height] = [usual, usual];
     const middle = [(from.x + to.x) / 2, (from.y + to.y) / 2];
-    this.#app.act(() => core.addBox(middle[0], middle[1], width, height));
+    const radius = Math.max(width, height) / 2;
+    this.#app.act(() =>
+      this.tool === "ball"
+        ? core.addBall(middle[0], middle[1], radius)
+        : core.addBox(middle[0], middle[1], width, height),
+    );
   }
 
   /** Forgets what has been begun. @returns {boolean} whether there was anything */
   cancel() {
     const was = this.isHolding || this.pin !== null;
     this.letGo();
-    if (this.pin !== null) say("No pin.");
+    if (this.pin !== null) say(this.tool === "rope" ? "No rope." : "No pin.");
     this.pin = null;
     this.#app.player.wake();
     return was;
