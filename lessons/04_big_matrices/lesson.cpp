@@ -96,10 +96,9 @@ void run(Lesson& lesson) {
   print_right_side(lesson, stack);
   print_solution(lesson, stack);
   print_growth(lesson, stack);
-  lesson.answer(
-      {stack.system.b.begin(), stack.system.b.end()}, 1e-9,
-      "Two boxes that fall together do not approach each other. b sees only the contact with the "
-      "ground; A⁻¹ carries the weight from contact to contact.");
+  lesson.answer({stack.system.b.begin(), stack.system.b.end()}, 1e-9,
+                "Two boxes that fall together do not approach each other. b sees only the contact with the "
+                "ground; A⁻¹ carries the weight from contact to contact.");
   check_matrices(lesson, stack);
   check_solution(lesson, stack);
   lesson.film(stack_shots(stack));

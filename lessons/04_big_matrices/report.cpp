@@ -73,9 +73,10 @@ void print_solution(Lesson& lesson, const StackRun& run) {
 void print_growth(Lesson& lesson, const StackRun& run) {
   lesson.print("boxes    numbers in J    not 0    in A    not 0    products, A full    without zeros");
   for (const Growth& growth : run.growth) {
-    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>18} {:>16}", growth.boxes, spaced(growth.all_of_J),
-                             spaced(growth.used_of_J), spaced(growth.all_of_A), spaced(growth.used_of_A),
-                             spaced(growth.elimination), spaced(growth.without_zeros)));
+    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>18} {:>16}", growth.boxes,
+                             spaced(growth.all_of_J), spaced(growth.used_of_J), spaced(growth.all_of_A),
+                             spaced(growth.used_of_A), spaced(growth.elimination),
+                             spaced(growth.without_zeros)));
   }
   lesson.print();
 }

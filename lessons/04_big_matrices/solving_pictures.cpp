@@ -119,15 +119,16 @@ void draw_growth(Page& page, const StackRun& run) {
   }
   draw_plot(page, parts[0], plot);
   const Growth& largest = run.growth.back();
-  page.note(parts[1], "A larger stack",
-            fmt::format(
-                "With {} boxes A has {} numbers, and {:.0f} of them are not 0. Elimination takes {:.1f} million "
-                "products on a full A, and {} where it leaves out the zeros. So its price is no reason to "
-                "give it up. But it does not know that a contact cannot pull. Solvers for games sweep over "
-                "the rows instead, and clamp.",
-                largest.boxes, spaced(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination,
-                spaced(largest.without_zeros)),
-            question_growth);
+  page.note(
+      parts[1], "A larger stack",
+      fmt::format(
+          "With {} boxes A has {} numbers, and {:.0f} of them are not 0. Elimination takes {:.1f} million "
+          "products on a full A, and {} where it leaves out the zeros. So its price is no reason to "
+          "give it up. But it does not know that a contact cannot pull. Solvers for games sweep over "
+          "the rows instead, and clamp.",
+          largest.boxes, spaced(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination,
+          spaced(largest.without_zeros)),
+      question_growth);
 }
 
 Shot back_shot(const StackRun& run, int row) {
@@ -159,10 +160,11 @@ List<Shot> solving_shots(const StackRun& run) {
   shots.push_back(key_shot(run, "gravity after b",
                            "The same stack with gravity added after b was formed: no contact holds it.",
                            draw_without_gravity));
-  shots.push_back(key_shot(run, "3 to 300 boxes",
-                           "Numbers in J and A, and products of an elimination with and without zeros, against the "
-                           "number of boxes.",
-                           draw_growth));
+  shots.push_back(
+      key_shot(run, "3 to 300 boxes",
+               "Numbers in J and A, and products of an elimination with and without zeros, against the "
+               "number of boxes.",
+               draw_growth));
   return shots;
 }
 

@@ -35,10 +35,11 @@ void draw_cost(Page& page, const StoredRun& run) {
             "sparse A has its column beside it: 12 bytes.");
   page.note(
       parts[3], "",
-      fmt::format("SI makes {:g} for each row, or {:g} if it keeps M^{{−1}}j^{{T}}. A sparse row of A has {:.1f} "
-                  "entries at base {}. Naive PGS computes all velocities anew for each row (paper 4.4).",
-                  si_products, si_products_kept,
-                  work_of(run.pyramids.back()).sparse / run.pyramids.back().rows, run.settings.base));
+      fmt::format(
+          "SI makes {:g} for each row, or {:g} if it keeps M^{{−1}}j^{{T}}. A sparse row of A has {:.1f} "
+          "entries at base {}. Naive PGS computes all velocities anew for each row (paper 4.4).",
+          si_products, si_products_kept, work_of(run.pyramids.back()).sparse / run.pyramids.back().rows,
+          run.settings.base));
 }
 
 void draw_tray(Page& page, const StoredRun& run) {

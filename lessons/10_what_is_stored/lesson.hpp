@@ -30,8 +30,8 @@ struct Work {
   double sparse = 0;  // only what is not zero
   double si = 0;      // 6 to read a row's velocity, 12 to change it
 };
-/// Products of one row update of SI: for j·v, for M⁻¹jᵀ, and for that times the impulse; the second falls away
-/// if M⁻¹jᵀ is kept.
+/// Products of one row update of SI: for j·v, for M⁻¹jᵀ, and for that times the impulse; the second falls
+/// away if M⁻¹jᵀ is kept.
 inline constexpr double si_products = 18;
 inline constexpr double si_products_kept = 12;
 Work work_of(const Count& count);

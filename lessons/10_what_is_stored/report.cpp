@@ -91,8 +91,8 @@ void check_update(Lesson& lesson, const StoredRun& run) {
     gap = std::max(gap, (counted.velocity[body] - library.velocity[body]).cwiseAbs().maxCoeff());
     scale = std::max(scale, library.velocity[body].cwiseAbs().maxCoeff());
   }
-  lesson.check_equal("a row update of SI, written out: products", products / counted.row_count(),
-                     si_products, 0);
+  lesson.check_equal("a row update of SI, written out: products", products / counted.row_count(), si_products,
+                     0);
   // A row's sum is added in another order.
   lesson.check_small("and a sweep of it leaves the library's velocities (m/s)", gap,
                      64 * epsilon * (scale + 1));
@@ -228,10 +228,10 @@ double building_by_formula(const Count& count) {
 void tell_building(Lesson& lesson, const StoredRun& run) {
   const Count& largest = run.pyramids.back();
   const double work = building_work(run.problems.back());
-  lesson.print(
-      fmt::format("before the first sweep, base {}: from M⁻¹Jᵀ ({:.0f} products) A takes {:.0f}, as many as {:.1f} "
-                  "sweeps of SI; the effective masses of SI take {:.0f}",
-                  largest.base, 6 * largest.rows, work, work / (si_products * largest.rows), 6 * largest.rows));
+  lesson.print(fmt::format(
+      "before the first sweep, base {}: from M⁻¹Jᵀ ({:.0f} products) A takes {:.0f}, as many as {:.1f} "
+      "sweeps of SI; the effective masses of SI take {:.0f}",
+      largest.base, 6 * largest.rows, work, work / (si_products * largest.rows), 6 * largest.rows));
   const double rows = largest.rows * sizeof(ConstraintRow<double>);
   const double sparse = largest.pairs * (sizeof(double) + sizeof(int));  // an entry of A, and its column
   lesson.print(
