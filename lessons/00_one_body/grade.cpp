@@ -83,7 +83,7 @@ Exercise exercise() {
           .file = "lessons/00_one_body/exercise.cpp",
           .hints = {"Which of the two has to be new when the other is computed?",
                     "The velocity first: it grows by M⁻¹ f dt, number by number.",
-                    "Then the place grows by the new velocity times dt, all three numbers at once."},
+                    "Then the place grows by the new velocity times dt, all three numbers of it."},
           .grade = [](Grade& grade) {
             const Body body = flown(box_of_2_kg), heavy = flown(box_of_4_kg);
             const Body shorter = flown(box_of_2_kg, dt / 2);

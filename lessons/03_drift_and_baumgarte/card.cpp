@@ -30,6 +30,6 @@ const LessonCard lesson03(
                     {"beta", 0.2, 0.05, 1, "", "the share β of an error that a step removes"},
                     {"depth", 0.1, 0.01, 0.2, "m", "how deep the ball begins inside the ground"}},
      .cover = 1,
-     .next = "bash lessons/run 4   (all rows at once, in one equation)"});
+     .next = "bash lessons/run 4   (all rows together, in one equation)"});
 
 }  // namespace cairn

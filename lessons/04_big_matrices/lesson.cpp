@@ -1,4 +1,4 @@
-// Lesson 04. All bodies and all rows at once. The rows are written below each other, which makes J (6); the
+// Lesson 04. All bodies and all rows together. The rows are written below each other, which makes J (6); the
 // velocities likewise make v. The forces that make J v = ζ true (11) solve A λ = b, (14) and (15): one
 // equation for each contact. We build A and b for a stack of boxes, solve them by elimination, and put λ into
 // (12) to see that the stack stands still.

@@ -12,7 +12,7 @@ const LessonCard lesson05(
          "λ to its interval, and it also solves contacts, which can only push: projected Gauss-Seidel.",
      .paper = "paper 2.2, eq (14), (28), and the interval at its end",
      .equations =
-         {"(14)  A λ = b                                     all rows at once: lesson 04",
+         {"(14)  A λ = b                                     all rows together: lesson 04",
           "(28)  λ_i ← (b_i − Σ_{j≠i} A_ij λ_j) / A_ii       one row, with the newest λ of the others",
           "2.2   λ_i ← max(λ_min, min(λ_i, λ_max))           a contact: 0 ≤ λ"},
      .needs = {"lesson 04"},

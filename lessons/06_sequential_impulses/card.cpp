@@ -7,12 +7,12 @@ const LessonCard lesson06(
     {.number = 6,
      .name = "sequential_impulses",
      .title = "Sequential impulses",
-     .idea = "Do not build the matrix. Visit each contact, cancel its error, apply the impulse at once, and "
+     .idea = "Do not build the matrix. Visit each contact, cancel its error, apply the impulse immediately, and "
              "repeat.",
      .paper = "paper 3.2, Algorithm 1, eq (19)-(23)",
      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)     the force that this row needs [N]",
                    "(23)  p = jᵀ λ Δt                        the impulse it gives [N s]",
-                   "(21)  v ← v + M⁻¹ p                      to its two bodies, at once"},
+                   "(21)  v ← v + M⁻¹ p                      to its two bodies, immediately"},
      .needs = {"lesson 02", "lesson 05"},
      .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
      .question =

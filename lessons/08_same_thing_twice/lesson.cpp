@@ -48,7 +48,7 @@ List<RowStep> sweep_both(VelocityProblem<double> si, const SystemMatrices<double
 
     eta_pgs[i] = step.pgs = one_sided ? std::max(step.by_28, 0.0) : step.by_28;
     eta_si[i] = step.si = one_sided ? std::max(step.by_27, 0.0) : step.by_27;
-    apply_impulse(si, si.rows[i], (step.si - step.eta) * si.dt);  // SI pushes at once: (26) holds again
+    apply_impulse(si, si.rows[i], (step.si - step.eta) * si.dt);  // SI pushes immediately: (26) holds again
     steps.push_back(step);
   }
   return steps;

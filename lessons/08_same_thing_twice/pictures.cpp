@@ -69,7 +69,7 @@ void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
   page.equation(parts[0], {.number = "PGS: a row of A, and all other λ",
                            .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
   draw_system(page, parts[1], run, 6);
-  page.equation(parts[2], {.number = "SI: two bodies, and a push at once",
+  page.equation(parts[2], {.number = "SI: two bodies, and an immediate push",
                            .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
   draw_two_bodies(page, parts[3]);
   draw_digits(page, parts[4], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),

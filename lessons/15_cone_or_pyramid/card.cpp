@@ -31,6 +31,6 @@ const LessonCard lesson15(
                     {"vx", 3, 2, 10, "m/s", "speed to the right"},
                     {"vy", 4, 0, 10, "m/s", "speed upwards in the picture"}},
      .cover = 1,
-     .next = "bash lessons/run 16   (all rows at once: parallel, and dangerous)"});
+     .next = "bash lessons/run 16   (all rows together: parallel, and dangerous)"});
 
 }  // namespace cairn

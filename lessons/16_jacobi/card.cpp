@@ -25,7 +25,7 @@ const LessonCard lesson16(
          "one under its "
          "middle, one 0.25\u00a0m to either side. Gravity has acted for one step. Each foot pushes as if it "
          "were "
-         "alone, and all push at once. "
+         "alone, and all push together. "
          "How much "
          "do they push together in the first sweep?",
      .spoilers = {"147.3", "0.291", "27/11"},

@@ -24,7 +24,7 @@ const LessonCard lesson20(
          "all three end by "
          "themselves?",
      .spoilers = {"39", "0.85 m"},
-     .hints = {"If a step ends for all at once, which of the three does everybody wait for?",
+     .hints = {"If a step ends for all together, which of the three does everybody wait for?",
                "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
                "Add rows × sweeps of the three, and divide by 150 × 50."},
      .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},
