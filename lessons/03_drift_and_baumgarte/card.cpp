@@ -23,6 +23,14 @@ const LessonCard lesson03(
          "stays "
          "on the ground)?",
      .spoilers = {"1.2 m", "5 m/s"},
+     .wrong = {{{-0.01},
+                {0.01},
+                "Nothing bounces, but nothing takes away the speed that removes the error, "
+                "either."},
+               {{0.09},
+                {0.11},
+                "That is the error. The ball leaves with the speed that removes it in one "
+                "step, 5 m/s."}},
      .hints = {"To be out within one step of Δt, how fast does it have to move?",
                "v = depth / Δt. Gravity is the only thing that slows it down afterwards.",
                "About v² / (2 g), and a little less, because time passes in steps."},

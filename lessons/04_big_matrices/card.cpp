@@ -25,6 +25,18 @@ const LessonCard lesson04(
          "are "
          "these numbers, from the ground up, in m/s²?",
      .spoilers = {"b₂ and b₃", "10, 0, 0", "do not approach", "Only the lowest contact"},
+     .wrong = {{{30, 20, 10},
+                {30, 20, 10},
+                "These are the forces. b says how fast bodies approach each other without "
+                "them."},
+               {{10, 10, 10},
+                {10, 10, 10},
+                "All boxes fall alike, but a row looks at the difference between its two "
+                "bodies."},
+               {{-10, 0, 0},
+                {-10, 0, 0},
+                "The sign is wrong: b has −j·v, and j·v is negative where bodies approach "
+                "each other."}},
      .hints = {"b looks at the two bodies of a contact, not at one.",
                "b = ζ/Δt − j·v₁/Δt, and −j·v₁ says how fast the two approach each other.",
                "Both boxes fall at g Δt. How fast do they approach each other?"},

@@ -92,7 +92,7 @@ void run(Lesson& lesson) {
                                    .sweeps = lesson.whole("sweeps"),
                                    .support = lesson.real("support")});
   print_scenes(lesson, all.settings);
-  if (all.settings.support == 1) lesson.predict();  // the question is about this support
+  lesson.predict();
   lesson.print();
   print_stack(lesson, all);
   print_rod(lesson, all);

@@ -23,6 +23,7 @@ const LessonCard lesson08(
          "parts in 10\u2078. After 50 sweeps of 20 rows, in how many digits do their largest impulses "
          "still agree?",
      .spoilers = {"5.8", "5.5 · 10⁻⁵", "About six"},
+     .unasked = {"seed"},
      .hints =
          {"(a + b) + c and a + (b + c) are the same number, but not the same float.",
           "Each of the 1000 updates rounds about three times. If all 3000 errors added up, they would be "

@@ -62,7 +62,7 @@ void run(Lesson& lesson) {
   TwiceRun twice = solve_with_the_library(settings);
   twice.steps = sweep_both(twice.problem, twice.system);
   tell_scene(lesson, settings);
-  if (settings.sweeps == 50) lesson.predict();  // the question is about so many
+  lesson.predict();
   tell_first_sweep(lesson, twice);
   tell_precisions(lesson, twice);
   const PrecisionRun& in_float = twice.precisions.front();
