@@ -126,7 +126,7 @@ List<ChainRun> run_chains(double dt) {
                              line_of<RevoluteJoint>(10, beam_length, beam_height, pi / 4, dt), 2));
   chains.push_back(run_tower(dt));
   chains.push_back(
-      run_chain("10 beams, welded", line_of<WeldJoint>(10, beam_length, beam_height, 0, dt), 3, 20000));
+      run_chain("10 beams, welded", line_of<WeldJoint>(10, beam_length, beam_height, 0, dt), 3, 100000));
   return chains;
 }
 

@@ -80,11 +80,10 @@ int colours_of(const VelocityProblem<double>& problem) {
   return sequence.colours.size() - 1;
 }
 
-/// Tries shares of 0.1, 0.105 ... 0.5.
-TunedJacobi tuned_jacobi(const VelocityProblem<double>& problem) {
+/// Tries shares of 0.1, 0.105 ... up to that at which it would no longer converge.
+TunedJacobi tuned_jacobi(const VelocityProblem<double>& problem, double largest) {
   TunedJacobi best;
-  for (int step = 20; step <= 100; ++step) {
-    const double omega = 0.005 * step;
+  for (double omega = 0.1; omega * largest < 2; omega += 0.005) {
     VelocityProblem<double> copy = problem;
     const int needed = history_from(Method::damped, solved(Method::damped, omega, 600, copy)).sweeps_needed;
     if (needed > 0 && (best.sweeps_needed < 0 || needed < best.sweeps_needed)) best = {omega, needed};
@@ -188,7 +187,7 @@ PileRun run_pile(const PileSettings& settings) {
   run.rows_on_box = rows_on_each(run.problem);
   for (const Method method : all_methods) run.histories.push_back(pile_history(run, method));
   run.coloured = coloured_history(run);
-  run.tuned = tuned_jacobi(run.problem);
+  run.tuned = tuned_jacobi(run.problem, run.largest_eigenvalue);
   const double safe = 1 / run.largest_eigenvalue;
   run.with_momentum = {safe, sweeps_with_momentum(run.problem, safe, settings.sweeps)};
   run.order_at_once = effect_of_order(run.problem, Method::split);
