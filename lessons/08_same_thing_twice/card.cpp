@@ -22,7 +22,7 @@ const LessonCard lesson08(
          "PGS and SI solve the same 20 random rows from λ\u00a0=\u00a00, row after row in the same order. "
          "After "
          "ten sweeps PGS is still off by 69.34\u00a0% of the largest λ. By how many per cent is SI off?",
-     .spoilers = {"5.8", "5.5 · 10⁻⁵", "one algorithm"},
+     .spoilers = {"5.8", "one algorithm"},
      .unasked = {"sweeps"},
      .wrong = {{{0},
                 {69.2},
