@@ -23,7 +23,6 @@ const LessonCard lesson10(
      .spoilers = {"12.8", "98.4"},
      .unasked = {"sweeps"},
      .wrong = {{{15}, {17}, "8 + 8 counts the two rows of the same overlap twice."},
-               {{13.9}, {14.1}, "No row has more than that, but those of boxes at the edge have fewer."},
                {{799}, {801}, "Rows that share no body that can move do not act on each other."}},
      .hints = {"A_ij is not zero where rows i and j share a body that can move.",
                "A row has two boxes. How many rows does a box in the middle of the pyramid have?",
