@@ -21,6 +21,11 @@ const LessonCard lesson00(
          "(negative: "
          "below)?",
      .spoilers = {"0.12", "g Δt t"},
+     .wrong = {{{-0.001},
+                {0.001},
+                "The steps do not follow the parabola: each moves with the velocity of its "
+                "own end."},
+               {{0.11}, {0.13}, "That is what comes out if each step moves with the old velocity first."}},
      .hints =
          {"Which velocity does a step use: the one at its beginning or the one at its end?",
           "While the box slows down on its way up, the velocity at the end of a step is the smaller one.",

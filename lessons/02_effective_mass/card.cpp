@@ -22,6 +22,15 @@ const LessonCard lesson02(
          "with 6\u00a0N\u00a0s. Below its corner, does it take more or less to stop the point above the "
          "peg, and how many N\u00a0s? The rest of the box may go on.",
      .spoilers = {"2.4 N s", "2.4 kg", "Less: 2.4"},
+     .unasked = {"dt"},
+     .wrong = {{{6},
+                {6},
+                "That is the push below the centre. Off the centre a push also turns the box, "
+                "so the point gives way more easily."},
+               {{6.001},
+                {1000},
+                "More would be needed if something kept the box from turning. But it turns, "
+                "and the point gives way more easily."}},
      .hints = {"Only the point above the peg has to stop. The rest of the box may go on.",
                "j = (0, 1, x) for a push upwards at x, and a unit box of 6 kg has I = 1 kg m².",
                "j M⁻¹ jᵀ = 1/6 + 0.5²/1 = 5/12 per kg."},

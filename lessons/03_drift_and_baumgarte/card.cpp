@@ -23,6 +23,14 @@ const LessonCard lesson03(
          "stays "
          "on the ground)?",
      .spoilers = {"1.2 m", "5 m/s"},
+     .wrong = {{{-0.01},
+                {0.01},
+                "Nothing bounces, but nothing takes away the speed that removes the error, "
+                "either."},
+               {{0.09},
+                {0.11},
+                "That is the error. The ball leaves with the speed that removes it in one "
+                "step, 5 m/s."}},
      .hints = {"To be out within one step of Δt, how fast does it have to move?",
                "v = depth / Δt. Gravity is the only thing that slows it down afterwards.",
                "About v² / (2 g), and a little less, because time passes in steps."},
@@ -30,6 +38,6 @@ const LessonCard lesson03(
                     {"beta", 0.2, 0.05, 1, "", "the share β of an error that a step removes"},
                     {"depth", 0.1, 0.01, 0.2, "m", "how deep the ball begins inside the ground"}},
      .cover = 1,
-     .next = "bash lessons/run 4   (all rows at once, in one equation)"});
+     .next = "bash lessons/run 4   (all rows together, in one equation)"});
 
 }  // namespace cairn

@@ -8,7 +8,7 @@ const LessonCard lesson04(
      .name = "big_matrices",
      .title = "Big matrices",
      .idea = "Stack the velocities of all bodies into v and all rows into J: the rows demand J v = ζ. The "
-             "forces that make this true solve A λ = b, one equation for each row, all at once.",
+             "forces that make this true solve A λ = b, one equation for each row, all together.",
      .paper = "paper 2.1, 2.2, eq (1)-(15)",
      .equations =
          {"(11)  J v₂ = ζ                         what the step has to achieve",
@@ -24,9 +24,21 @@ const LessonCard lesson04(
          "has one number b\u00a0=\u00a0ζ/Δt\u00a0−\u00a0Jv₁/Δt for each contact, with ζ\u00a0=\u00a00. What "
          "are "
          "these numbers, from the ground up, in m/s²?",
-     .spoilers = {"b₂ and b₃", "10, 0, 0", "do not close in", "Only the lowest contact"},
+     .spoilers = {"b₂ and b₃", "10, 0, 0", "do not approach", "Only the lowest contact"},
+     .wrong = {{{30, 20, 10},
+                {30, 20, 10},
+                "These are the forces. b says how fast bodies approach each other without "
+                "them."},
+               {{10, 10, 10},
+                {10, 10, 10},
+                "All boxes fall alike, but a row looks at the difference between its two "
+                "bodies."},
+               {{-10, 0, 0},
+                {-10, 0, 0},
+                "The sign is wrong: b has −j·v, and j·v is negative where bodies approach "
+                "each other."}},
      .hints = {"b looks at the two bodies of a contact, not at one.",
-               "b = ζ/Δt − j·v₁/Δt, and j·v₁ says how fast the two close in.",
+               "b = ζ/Δt − j·v₁/Δt, and −j·v₁ says how fast the two approach each other.",
                "Both boxes fall at g Δt. How fast do they approach each other?"},
      .parameters = {{"boxes", 3, 2, 5, "", "boxes in the stack", Parameter::Kind::whole},
                     {"dt", 0.02, 0.005, 0.1, "s", "time step"},

@@ -1,4 +1,4 @@
-// Lesson 04. All bodies and all rows at once. The rows are written below each other, which makes J (6); the
+// Lesson 04. All bodies and all rows together. The rows are written below each other, which makes J (6); the
 // velocities likewise make v. The forces that make J v = ζ true (11) solve A λ = b, (14) and (15): one
 // equation for each contact. We build A and b for a stack of boxes, solve them by elimination, and put λ into
 // (12) to see that the stack stands still.
@@ -96,10 +96,9 @@ void run(Lesson& lesson) {
   print_right_side(lesson, stack);
   print_solution(lesson, stack);
   print_growth(lesson, stack);
-  lesson.answer(
-      {stack.system.b.begin(), stack.system.b.end()}, 1e-9,
-      "Two boxes that fall together do not close in on each other. b sees only the contact with the "
-      "ground; A carries the weight from contact to contact.");
+  lesson.answer({stack.system.b.begin(), stack.system.b.end()}, 1e-9,
+                "Two boxes that fall together do not approach each other. b sees only the contact with the "
+                "ground; A⁻¹ carries the weight from contact to contact.");
   check_matrices(lesson, stack);
   check_solution(lesson, stack);
   lesson.film(stack_shots(stack));

@@ -36,7 +36,8 @@ struct Growth {
   double all_of_A = 0;
   double used_of_J = 0;  // those that are not 0
   double used_of_A = 0;
-  double elimination = 0;  // multiplications for a full matrix, about m^3 / 3
+  double elimination = 0;    // multiplications and divisions for a full matrix, about m^3 / 3
+  double without_zeros = 0;  // the same, counted where factors of 0 are left out
 };
 
 struct StackRun {

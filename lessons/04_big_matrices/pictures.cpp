@@ -73,8 +73,8 @@ std::string answer_text(const StackRun& run) {
   std::string numbers = brief(run.system.b(0));
   for (int i = 1; i < run.boxes(); ++i) numbers += ",\u00a0" + brief(run.system.b(i));
   return fmt::format(
-      "b = ({}) m/s². Boxes that fall together do not close in on each other. Only the lowest contact closes "
-      "in, and A^{{−1}} passes the weight on.",
+      "b = ({}) m/s². Boxes that fall together do not approach each other. b knows only the ground; A^{{−1}} "
+      "carries the weight up.",
       numbers);
 }
 

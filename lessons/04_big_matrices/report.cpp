@@ -71,11 +71,12 @@ void print_solution(Lesson& lesson, const StackRun& run) {
 }
 
 void print_growth(Lesson& lesson, const StackRun& run) {
-  lesson.print("boxes    numbers in J    not 0    in A    not 0    multiplications, if A were full");
+  lesson.print("boxes    numbers in J    not 0    in A    not 0    products, A full    without zeros");
   for (const Growth& growth : run.growth) {
-    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>13}", growth.boxes, spaced(growth.all_of_J),
-                             spaced(growth.used_of_J), spaced(growth.all_of_A), spaced(growth.used_of_A),
-                             spaced(growth.elimination)));
+    lesson.print(fmt::format("{:>5} {:>15} {:>8} {:>7} {:>8} {:>18} {:>16}", growth.boxes,
+                             spaced(growth.all_of_J), spaced(growth.used_of_J), spaced(growth.all_of_A),
+                             spaced(growth.used_of_A), spaced(growth.elimination),
+                             spaced(growth.without_zeros)));
   }
   lesson.print();
 }
@@ -110,6 +111,10 @@ void check_matrices(Lesson& lesson, const StackRun& run) {
   lesson.check_that("A is symmetric and positive definite: least eigenvalue (kg⁻¹)",
                     system.A == system.A.transpose() && run.eigenvalues(0) > 0,
                     fmt::format("{:.4g}", run.eigenvalues(0)));
+  double counted = 0;  // of a row of three entries: a factor, two products; and a product and a quotient back
+  for (const Growth& growth : run.growth)
+    counted = std::max(counted, std::abs(growth.without_zeros - (5.0 * growth.boxes - 4)));
+  lesson.check_equal("elimination without zeros: 5n − 4 products and quotients, not n³/3", counted, 0, 0);
   if (run.settings.top == 1) {
     double worst = 0;
     for (int k = 1; k <= n; ++k) {

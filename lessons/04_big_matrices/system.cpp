@@ -10,6 +10,31 @@ namespace cairn::big {
 
 namespace {
 
+/// Multiplications and divisions that solve the stack, if none is done with a 0.
+double counted_elimination(const SystemMatrices<double>& system) {
+  const Eigen::Index m = system.b.size();
+  Eigen::MatrixXd stage(m, m + 1);
+  stage << system.A, system.b;
+  double count = 0;
+  for (Eigen::Index pivot = 0; pivot < m; ++pivot) {
+    for (Eigen::Index row = pivot + 1; row < m; ++row) {
+      if (stage(row, pivot) == 0) continue;
+      const double factor = stage(row, pivot) / stage(pivot, pivot);
+      ++count;
+      for (Eigen::Index k = pivot + 1; k <= m; ++k) {
+        if (stage(pivot, k) == 0) continue;
+        stage(row, k) -= factor * stage(pivot, k);
+        ++count;
+      }
+    }
+  }
+  for (Eigen::Index row = 0; row < m; ++row) {  // and back up: a product for each known λ, and a division
+    for (Eigen::Index k = row + 1; k < m; ++k) count += stage(row, k) != 0;
+    ++count;
+  }
+  return count;
+}
+
 Growth growth_of(int boxes) {
   const SystemMatrices<double> system = system_matrices(stack_rows({.boxes = boxes}, gravity));
   const Eigen::MatrixXd J = system.J.rightCols(system.J.cols() - 3);  // without the ground
@@ -20,6 +45,7 @@ Growth growth_of(int boxes) {
   growth.used_of_A = static_cast<double>((system.A.array() != 0).count());
   const double m = boxes;
   growth.elimination = (m * m * m - m) / 3 + m * m;
+  growth.without_zeros = counted_elimination(system);
   return growth;
 }
 

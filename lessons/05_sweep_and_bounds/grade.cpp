@@ -30,7 +30,7 @@ bool grade_stack(Grade& grade) {
                                    {10, "Divide by A_ii: (28)."},
                                    {5, "Divide by A_ii instead of multiplying: (28)."},
                                    {24, "One sweep a call: each row has one turn."},
-                                   {45, "That solves all rows at once: here each row is solved for itself."},
+                                   {45, "That solves all rows together: here each row is solved for itself."},
                                    {-20, "The sign: A λ = b."}},
                 .tolerance = sweep_rounding},
                one[0]);
@@ -117,7 +117,7 @@ void grade_rod(Grade& grade, bool solves) {
       {.what = "the rod, 3 sweeps: λ_2 (N)",
        .value = 15,
        .misconceptions = {{13.125, "What is out of the interval goes to its end: do not keep the old λ."},
-                          {17.34375, "Clamp at once: row 2 must see that row 1 cannot pull."}},
+                          {17.34375, "Clamp immediately: row 2 must see that row 1 cannot pull."}},
        .tolerance = sweep_rounding},
       three[1]);
 }

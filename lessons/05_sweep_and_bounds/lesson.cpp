@@ -1,7 +1,7 @@
 // Lesson 05. A λ = b without elimination: guess all λ, put one row right, then the next, and sweep again.
-// That is Gauss-Seidel (28). Where a row only pushes, its λ is clamped to 0 at once: projected Gauss-Seidel,
-// which finds out which contacts push and which let go. A stack of boxes shows how fast it converges, a rod
-// on two supports what the clamp does. The loop stands here; the library's solver runs beside it and is
+// That is Gauss-Seidel (28). Where a row only pushes, its λ is clamped to 0 immediately: projected
+// Gauss-Seidel, which finds out which contacts push and which let go. A stack shows how fast it converges, a
+// rod on two supports what the clamp does. The loop stands here; the library's solver runs beside it and is
 // recorded.
 #include "lesson.hpp"
 
@@ -92,7 +92,7 @@ void run(Lesson& lesson) {
                                    .sweeps = lesson.whole("sweeps"),
                                    .support = lesson.real("support")});
   print_scenes(lesson, all.settings);
-  if (all.settings.support == 1) lesson.predict();  // the question is about this support
+  lesson.predict();
   lesson.print();
   print_stack(lesson, all);
   print_rod(lesson, all);

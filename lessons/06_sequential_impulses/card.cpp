@@ -7,12 +7,13 @@ const LessonCard lesson06(
     {.number = 6,
      .name = "sequential_impulses",
      .title = "Sequential impulses",
-     .idea = "Do not build the matrix. Visit each contact, cancel its error, apply the impulse at once, and "
-             "repeat.",
+     .idea =
+         "Do not build the matrix. Visit each contact, cancel its error, apply the impulse immediately, and "
+         "repeat.",
      .paper = "paper 3.2, Algorithm 1, eq (19)-(23)",
      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)     the force that this row needs [N]",
                    "(23)  p = jᵀ λ Δt                        the impulse it gives [N s]",
-                   "(21)  v ← v + M⁻¹ p                      to its two bodies, at once"},
+                   "(21)  v ← v + M⁻¹ p                      to its two bodies, immediately"},
      .needs = {"lesson 02", "lesson 05"},
      .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
      .question =
@@ -20,6 +21,7 @@ const LessonCard lesson06(
          "just so hard that its own two boxes stop closing in. After one such sweep, how fast does the "
          "heavy box still fall, in m/s?",
      .spoilers = {"0.19", "stops box 1"},
+     .unasked = {"sweeps", "seed"},
      .hints = {"A push has two ends: it slows the upper box and speeds up the lower one, the lighter one "
                "more.",
                "Row 1 stops box 1. Row 2 finds 0.2 m/s between two boxes of 1 kg; both fall at 0.1 m/s then.",

@@ -47,7 +47,7 @@ void grade_impulses(Grade& grade, const Swept& one) {
   if (std::abs(ground - 0.4) <= push_rounding) {
     second.misconceptions = {
         {0, ground_moves ? "The ground has moved: each body has its own inverse mass."
-                         : "The velocities have not changed: apply the impulse at once, to both bodies."},
+                         : "The velocities have not changed: apply the impulse immediately, to both bodies."},
         {0.1, "Two bodies give way here: the effective mass has both in it."},
         {0.4, "Two bodies give way here: the effective mass has both in it."},
         {0.5, "Add the inverse masses of both, not the masses: the lighter one gives way more."}};

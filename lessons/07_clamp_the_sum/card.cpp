@@ -23,6 +23,9 @@ const LessonCard lesson07(
          "+2.48\u00a0m/s. A contact must not pull. How much has the left foot given in all after its second "
          "visit, in N\u00a0s?",
      .spoilers = {"10.82", "32.82"},
+     .unasked = {"foot", "speed", "sweeps"},  // the question has their numbers
+     .wrong = {{{54}, {55}, "That foot moves up, so it has given too much: it takes something back."},
+               {{43.5}, {43.8}, "That forbids it to take anything back. Only the sum has to stay above 0."}},
      .hints = {"Was the first push of the left foot too small, right, or too large?",
                "43.64 N s have changed the speed of that foot by 10 m/s. How much changes it by 2.48 m/s?",
                "p_corr = −43.64 × 0.248 N s. Within one step both pushes of the foot act as one: their sum."},

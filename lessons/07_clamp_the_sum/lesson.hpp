@@ -49,7 +49,7 @@ struct Landing {
   double energy() const;  // [J] afterwards
 };
 
-/// One box, landing with both feet at once.
+/// One box, landing with both feet together.
 struct BoxRun {
   Pair foot = {};                       // [m] right of the middle
   double A11 = 0, A12 = 0, A22 = 0;     // [1/kg]

@@ -6,10 +6,10 @@ namespace cairn {
 const LessonCard lesson08(
     {.number = 8,
      .name = "same_thing_twice",
-     .title = "The same thing twice",
-     .idea =
-         "PGS solves A λ = b and looks at no velocity; SI looks at velocities and builds no A. They are one "
-         "algorithm in two forms.",
+     .title = "PGS and SI",
+     .idea = "PGS solves A λ = b and looks at no velocity; SI looks at velocities and builds no A. What does "
+             "each "
+             "of them know that the other does not?",
      .paper = "paper 4.1, eq (24)-(29)",
      .equations = {"(26)  v = v̄ + M⁻¹ Jᵀ η Δt                          what SI keeps up to date",
                    "(27)  η_i ← η_i + (ζ − j·v) / (j M⁻¹ jᵀ Δt)        one update of SI",
@@ -19,16 +19,19 @@ const LessonCard lesson08(
      .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp",
                "src/solvers/iterative/sequential_impulse.cpp"},
      .question =
-         "PGS and SI do the same additions in another order, in float: each one is rounded, by up to 6 "
-         "parts in 10\u2078. After 50 sweeps of 20 rows, in how many digits do their largest impulses "
-         "still agree?",
-     .spoilers = {"5.8", "5.5 · 10⁻⁵", "About six"},
-     .hints =
-         {"(a + b) + c and a + (b + c) are the same number, but not the same float.",
-          "Each of the 1000 updates rounds about three times. If all 3000 errors added up, they would be "
-          "2 parts in 10\u2074, and 3.7 digits would be left. Do they?",
-          "Errors go up and down, and a sweep pulls both towards the same answer, whatever was rounded "
-          "before: little more than one digit of 7.2 is lost."},
+         "PGS and SI solve the same 20 random rows from λ\u00a0=\u00a00, row after row in the same order. "
+         "After "
+         "ten sweeps PGS is still off by 69.34\u00a0% of the largest λ. By how many per cent is SI off?",
+     .spoilers = {"5.8", "one algorithm"},
+     .unasked = {"sweeps"},
+     .wrong = {{{0},
+                {69.2},
+                "SI looks at the newest velocities, but PGS looks at the newest λ. What do those velocities "
+                "hold?"},
+               {{69.5}, {100}, "SI has no A. But do the velocities that it reads hold less?"}},
+     .hints = {"Both make one λ right, row after row. What does each of them look at for that?",
+               "By (26) the velocities of SI hold all λ that have been given so far.",
+               "J_i v = J_i v̄ + A_i η Δt: with that (27) becomes (28)."},
      .parameters = {{"dt", 0.02, 0.0001, 1, "s", "time step"},
                     {"sweeps", 50, 2, 1000, "", "sweeps", Parameter::Kind::whole},
                     {"seed", 1, 0, 1e9, "", "of the random problem", Parameter::Kind::whole}},

@@ -51,7 +51,12 @@ struct TwiceRun {
   PrecisionRun warm = {};              // double again, starting from the answer
   double identity_error = 0;  // max |v - (v0 + M^-1 J^T eta dt)| over all row updates of SI [m/s], (26)
   int at_bound = 0;           // rows that end at lambda = 0
+  double pgs_off = 0;         // [%] largest error of any lambda after asked_sweeps, of the largest lambda
+  double si_off = 0;
+  double entries = 0;  // of an average row of A that are not 0
 };
+
+inline constexpr int asked_sweeps = 10;  // that the question is about
 
 /// A number with as many significant digits; minus sign U+2212.
 std::string all_digits(long double value, int digits);

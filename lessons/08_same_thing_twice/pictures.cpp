@@ -65,15 +65,17 @@ void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
 
 /// The two stories: what each solver looks at in one update.
 void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
+  const bool is_asked = !card().question.empty();
   const List<Rect> parts = in_rows(page, rect, {{0.38, {0.66, 0.34}}, {0.3, {0.66, 0.34}}, 0.32});
   page.equation(parts[0], {.number = "PGS: a row of A, and all other λ",
                            .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
   draw_system(page, parts[1], run, 6);
-  page.equation(parts[2], {.number = "SI: two bodies, and a push at once",
+  page.equation(parts[2], {.number = "SI: two bodies, and an immediate push",
                            .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
   draw_two_bodies(page, parts[3]);
-  draw_digits(page, parts[4], fmt::format("one λ after {} sweeps in float (N)", run.settings.sweeps),
-              {{"PGS", "??.???????"}, {"SI", "??.???????"}}, "How many digits are the same?");
+  draw_digits(page, parts[4], fmt::format("off after {} sweeps, of the largest λ", asked_sweeps),
+              {{"PGS", fixed(run.pgs_off, 2) + " %"}, {"SI", is_asked ? "? %" : fixed(run.si_off, 2) + " %"}},
+              "");
 }
 
 void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
@@ -132,7 +134,7 @@ List<Shot> twice_shots(const TwiceRun& run) {
   const int last = run.settings.sweeps;
   List<Shot> shots = {question_shot(
       card(), {.state = "before the first sweep",
-               .alt = "What PGS and what SI look at in one update, one impulse of both with unknown digits, "
+               .alt = "What PGS and what SI look at in one update, how far PGS is off after ten sweeps, "
                       "and the question.",
                .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }})};
   for (int row = 0; row < run.problem.row_count(); ++row) shots.push_back(row_shot(run, row));
@@ -144,10 +146,11 @@ List<Shot> twice_shots(const TwiceRun& run) {
        .alt = "The digits in which both solvers agree, in float and in double, their differences against "
               "sweeps in three precisions, and the answer.",
        .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
-      fmt::format(
-          "About {}: they differ by {} of the largest λ. They are one algorithm, and rounding costs a "
-          "little more than one digit, in each precision.",
-          fixed(in_float.digits(), 1), power(in_float.difference.back() / in_float.scale))));
+      fmt::format("{} %, as PGS: they are one algorithm. After {} sweeps they differ by {} of the largest λ "
+                  "in float: "
+                  "{} digits agree, of 7.2.",
+                  fixed(run.si_off, 2), last, power(in_float.difference.back() / in_float.scale),
+                  fixed(in_float.digits(), 1))));
   return shots;
 }
 

@@ -125,6 +125,27 @@ VelocityProblem<double> random_problem(const TwiceSettings& settings) {
   return problem;
 }
 
+/// [%] The largest error of any lambda after asked_sweeps, of the largest lambda.
+template <typename Solver>
+double off_after_asked(VelocityProblem<double> problem, const PerRow<double>& right) {
+  Solver({.iterations = asked_sweeps}).solve(problem);
+  double error = 0, largest = 0;
+  for (int i = 0; i < right.size(); ++i) {
+    error = std::max(error, std::abs(problem.impulse[i] - right[i]));
+    largest = std::max(largest, std::abs(right[i]));
+  }
+  return 100 * error / largest;
+}
+
+/// How far each is from where both end, and how full A is.
+void ask(TwiceRun& run) {
+  VelocityProblem<double> settled = run.problem;
+  SequentialImpulse<double>({.iterations = 20000}).solve(settled);
+  run.pgs_off = off_after_asked<ProjectedGaussSeidel<double>>(run.problem, settled.impulse);
+  run.si_off = off_after_asked<SequentialImpulse<double>>(run.problem, settled.impulse);
+  run.entries = static_cast<double>((run.system.A.array() != 0).count()) / run.problem.row_count();
+}
+
 }  // namespace
 
 std::string all_digits(long double value, int digits) {
@@ -153,6 +174,7 @@ TwiceRun solve_with_the_library(const TwiceSettings& settings) {
   VelocityProblem<double> again = run.problem;
   again.impulse = for_si.impulse;
   run.warm = compare<double>("double, warm", again, settings.sweeps);
+  ask(run);
   return run;
 }
 

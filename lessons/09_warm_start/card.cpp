@@ -22,6 +22,14 @@ const LessonCard lesson09(
          "559\u00a0mm. With how many sweeps is its top never that deep, if each step begins with the "
          "impulses of the last one?",
      .spoilers = {"184", "single warm sweep", "0.9755"},
+     .unasked = {"boxes", "sweeps", "steps", "dt"},  // the question has their numbers
+     .wrong = {{{2},
+                {49},
+                "Fewer will do: the impulses stay, so the sweeps of all steps work on one "
+                "answer."},
+               {{50},
+                {1000},
+                "So many are needed if each step begins with nothing. Here the impulses stay."}},
      .hints = {"Warm or cold, a sweep leaves the same share of an error. What differs is the error it finds.",
                "Cold, each of the 300 steps begins with an error of 100 % and throws its 50 sweeps away.",
                "Warm, the sweeps of 300 steps work on one answer. One answer takes some 200 sweeps."},

@@ -26,7 +26,7 @@ struct Row {
 };
 
 // Lines 1 to 6 of Algorithm 1. Each row begins with what the row of its key had in `kept`, and with 0 if that
-// has none; its bodies get that impulse at once. The force is what stays when the step changes from
+// has none; its bodies get that impulse before the first sweep. The force stays when the step changes from
 // dt_before [s] to dt_now [s]; the impulse is not.
 void begin_step(List<Row>& rows, List<Body>& bodies, const List<Kept>& kept, double dt_now,
                 double dt_before) {

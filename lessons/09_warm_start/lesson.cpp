@@ -98,6 +98,7 @@ void run(Lesson& lesson) {
   }
   tell_loads(lesson, all);
   tell_sweeps(lesson, all);
+  tell_price(lesson, all);
   tell_order(lesson, all);
   lesson.answer({static_cast<double>(all.few)}, 0,
                 "The impulses stay, so the sweeps of all steps work on one answer; begun from nothing, each "

@@ -105,6 +105,17 @@ ReversedStep begun_with(VelocityProblem<double> problem, const PerRow<double>& b
 /// One step from nothing, until the lowest contact lacks wanted_error, and some sweeps more.
 ColdSweeps sweep_cold(int boxes, double dt);
 
+/// What so few warm sweeps cost: while their top is deeper than that of many cold ones.
+struct Price {
+  int deeper = 0;   // steps
+  int last = 0;     // of these
+  int at = 0;       // of these, where the top is deepest
+  double warm = 0;  // [mm] how far it has risen by then
+  double cold = 0;
+};
+Price price_of(const WarmStart& all);
+void tell_price(Lesson& lesson, const WarmStart& all);
+
 /// Masses on a line in plain loops: gravity, Gauss-Seidel from the ground up, semi-implicit Euler. No engine.
 /// [frame][interface] [N]
 List<List<double>> loads_by_hand(const StartSettings& settings);

@@ -158,6 +158,28 @@ void tell_sweeps(Lesson& lesson, const WarmStart& all) {
   lesson.print();
 }
 
+Price price_of(const WarmStart& all) {
+  Price price;
+  for (int k = 1; k <= question_steps; ++k) {
+    const double cold = risen(all.many_cold, k), warm = risen(all.few_warm, k);
+    if (warm >= cold) continue;
+    ++price.deeper;
+    price.last = k;
+    if (warm < price.warm) price = {price.deeper, k, k, warm, cold};
+  }
+  return price;
+}
+
+void tell_price(Lesson& lesson, const WarmStart& all) {
+  const Price price = price_of(all);
+  lesson.print(fmt::format(
+      "warm with {} sweep{} is deeper than cold with {} in {} of the first {} steps; at its deepest, "
+      "step {}: {:.0f} mm, cold {:.0f} mm",
+      all.few, all.few > 1 ? "s" : "", many_sweeps, price.deeper, price.last, price.at, -price.warm,
+      -price.cold));
+  lesson.print();
+}
+
 void tell_order(Lesson& lesson, const WarmStart& all) {
   const ReversedStep& step = all.reversed;
   lesson.print(
@@ -177,6 +199,10 @@ void tell_order(Lesson& lesson, const WarmStart& all) {
 void check_claims(Lesson& lesson, const WarmStart& all) {
   if (all.settings.boxes == 10 && all.settings.dt == 0.02) {
     lesson.check_that("the question has the numbers of this run", question_of(all) == card().question, "all");
+    const Price price = price_of(all);
+    lesson.check_that("the price: at first, warm with one sweep is deeper than cold with fifty (steps)",
+                      all.few == 1 && price.deeper > price.last / 2 && price.last < question_steps / 2,
+                      fmt::format("{} of {}", price.deeper, price.last));
   }
   check_runs(lesson, all);
   check_rates(lesson, all);

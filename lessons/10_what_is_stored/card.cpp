@@ -21,6 +21,9 @@ const LessonCard lesson10(
          "in "
          "an average row of A are not zero?",
      .spoilers = {"12.8", "98.4"},
+     .unasked = {"sweeps"},
+     .wrong = {{{15}, {17}, "8 + 8 counts the two rows of the same overlap twice."},
+               {{799}, {801}, "Rows that share no body that can move do not act on each other."}},
      .hints = {"A_ij is not zero where rows i and j share a body that can move.",
                "A row has two boxes. How many rows does a box in the middle of the pyramid have?",
                "8 rows for each box, and the two rows of an overlap share both boxes: 8 + 8 − 2, and less at "

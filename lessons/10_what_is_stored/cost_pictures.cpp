@@ -29,15 +29,17 @@ Plot rows_plot(const Page& page, const StoredRun& run, const std::string& title,
 void draw_cost(Page& page, const StoredRun& run) {
   const List<Rect> parts = in_rows(page, {{0.7, {0.5, 0.5}}, {0.3, {0.5, 0.5}}});
   draw_plot(page, parts[0], rows_plot(page, run, "what is kept of A (bytes)", false));
-  draw_plot(page, parts[1], rows_plot(page, run, "multiply-adds of one sweep", true));
+  draw_plot(page, parts[1], rows_plot(page, run, "products of one sweep", true));
   page.note(parts[2], "",
             "Twice the rows take four times the memory in a full A, and twice in the others. Each entry of a "
             "sparse A has its column beside it: 12 bytes.");
   page.note(
       parts[3], "",
-      fmt::format("SI makes 12 for each row. A sparse row of A has {:.1f} entries at base {}. Naive PGS "
-                  "computes all velocities again after each row (paper 4.4).",
-                  work_of(run.pyramids.back()).sparse / run.pyramids.back().rows, run.settings.base));
+      fmt::format(
+          "SI makes {:g} for each row, or {:g} if it keeps M^{{−1}}j^{{T}}. A sparse row of A has {:.1f} "
+          "entries at base {}. Naive PGS computes all velocities anew for each row (paper 4.4).",
+          si_products, si_products_kept, work_of(run.pyramids.back()).sparse / run.pyramids.back().rows,
+          run.settings.base));
 }
 
 void draw_tray(Page& page, const StoredRun& run) {
@@ -50,7 +52,7 @@ void draw_tray(Page& page, const StoredRun& run) {
   const Count& pyramid = run.pyramids[2];
   draw_pattern(page, parts[1], pyramid, run.problems[2]);
   draw_pattern(page, parts[2], run.tray, run.tray_problem);
-  page.table(parts[3], "multiply-adds of a sweep",
+  page.table(parts[3], "products of a sweep",
              {.header = {"", pyramid.name, run.tray.name},
               .rows = {{"sparse A", spaced(work_of(pyramid).sparse), spaced(work_of(run.tray).sparse)},
                        {"SI", spaced(work_of(pyramid).si), spaced(work_of(run.tray).si)}}});

@@ -28,8 +28,12 @@ struct Work {
   double naive = 0;   // every velocity anew for each row: 6 m^2
   double dense = 0;   // a row of A for each row: m^2
   double sparse = 0;  // only what is not zero
-  double si = 0;      // 6 to read a row's velocity, 6 to change it
+  double si = 0;      // 6 to read a row's velocity, 12 to change it
 };
+/// Products of one row update of SI: for j·v, for M⁻¹jᵀ, and for that times the impulse; the second falls
+/// away if M⁻¹jᵀ is kept.
+inline constexpr double si_products = 18;
+inline constexpr double si_products_kept = 12;
 Work work_of(const Count& count);
 
 /// What a solver has kept beside the problem, by its own account [bytes], and its answer.

@@ -120,7 +120,8 @@ List<PairCase> pair_cases() {
 }
 
 Work work_of(const Count& count) {
-  return {.naive = 6 * count.dense, .dense = count.dense, .sparse = count.pairs, .si = 12 * count.rows};
+  return {
+      .naive = 6 * count.dense, .dense = count.dense, .sparse = count.pairs, .si = si_products * count.rows};
 }
 
 /// The lowest row stands on the ground; every other box on two.

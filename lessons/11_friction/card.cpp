@@ -20,6 +20,11 @@ const LessonCard lesson11(
                  "both "
                  "corners together. How many newtons of it act at the lower corner?",
      .spoilers = {"3.25", "6.50", "1.08", "three times", "26.57", "30.96"},
+     .unasked = {"mu-rough", "mass"},
+     .wrong = {{{2.1},
+                {2.2},
+                "Friction goes with the normal force, and that is not the same at both "
+                "corners."}},
      .hints =
          {"Each corner may give μ times its own load. Do both carry the same?",
           "Friction pulls uphill, at the block's lower side. Around the centre of mass, which way does it "

@@ -66,18 +66,20 @@ void count_work(int rows, int size, ChainRun& run) {
   run.blocks.work = (12LL + size) * rows * run.blocks.sweeps;
 }
 
-ChainRun run_chain(const std::string& name, const Scene& scene, int size) {
+ChainRun run_chain(const std::string& name, const Scene& scene, int size, int most = most_sweeps) {
   const World<double> world(scene);
   const VelocityProblem<double> problem = world.velocity_problem();
   const SystemMatrices<double> system = system_matrices(problem);
   const Vector<double> exact = system.A.ldlt().solve(system.b);
   ChainRun run{.name = name, .start = snapshot(world), .problem = problem, .A = system.A};
-  SequentialImpulse<double> rows({.iterations = most_sweeps});
-  BlockSequentialImpulse<double> blocks({.iterations = most_sweeps});
+  SequentialImpulse<double> rows({.iterations = most});
+  BlockSequentialImpulse<double> blocks({.iterations = most});
   run.rows = solve_chain(problem, exact, rows);
   run.blocks = solve_chain(problem, exact, blocks);
-  run.dense_sweeps = sweeps_by_hand(system, exact, 1);
-  run.dense_block_sweeps = sweeps_by_hand(system, exact, size);
+  if (most == most_sweeps) {
+    run.dense_sweeps = sweeps_by_hand(system, exact, 1);
+    run.dense_block_sweeps = sweeps_by_hand(system, exact, size);
+  }
   count_work(problem.row_count(), size, run);
   return run;
 }
@@ -123,6 +125,8 @@ List<ChainRun> run_chains(double dt) {
   chains.push_back(run_chain("10 beams on pins, at 45°",
                              line_of<RevoluteJoint>(10, beam_length, beam_height, pi / 4, dt), 2));
   chains.push_back(run_tower(dt));
+  chains.push_back(
+      run_chain("10 beams, welded", line_of<WeldJoint>(10, beam_length, beam_height, 0, dt), 3, 100000));
   return chains;
 }
 

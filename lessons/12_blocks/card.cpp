@@ -22,6 +22,15 @@ const LessonCard lesson12(
          "with its weld as a block; two take 110 and 61. Three take 435 row by row. How many per cent of "
          "these remain with blocks?",
      .spoilers = {"326", "75 %", "three in four", "zig-zag"},
+     .unasked = {"angle", "inertia", "sweeps"},
+     .wrong = {{{0},
+                {40},
+                "That would be so if most of the conflict were within the welds. It is "
+                "between them."},
+               {{90},
+                {100},
+                "The first weld has rows that disturb each other much, and there a block "
+                "helps."}},
      .hints = {"A block ends the conflict between the rows of one joint. Are there others, and are there "
                "more of them in a longer chain?",
                "To the other joints a block acts like a single row: it stops its own error and starts one "

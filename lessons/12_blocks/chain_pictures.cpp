@@ -111,7 +111,7 @@ void draw_table(Page& page, const BlocksRuns& all) {
   }
   page.table(parts[0], "work: multiply-adds of blocks / of rows", table);
   page.note(parts[1], "Where blocks help",
-            "A block settles its square on the diagonal at once. Here only the first square has rows that "
+            "A block settles its square on the diagonal. Here only the first square has rows that "
             "couple. All else is between the joints, and takes its sweeps.");
   draw_system(page, parts[2], all.chains[welded_three]);
 }

@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include <chrono>
+
 namespace cairn::blocks {
 
 namespace {
@@ -32,7 +34,7 @@ CountedSweeps by_rows(VelocityProblem<double> problem) {
 
 enum class Inverses { once, in_each_sweep };
 
-/// All rows of a weld at once: their impulses are summed before the two bodies are touched.
+/// All rows of a weld together: their impulses are summed before the two bodies are touched.
 void update_block(VelocityProblem<double>& problem, const RowBlock& block, const Eigen::Matrix3d& inverse) {
   Eigen::Vector3d missing;
   for (int k = 0; k < 3; ++k) {
@@ -72,6 +74,25 @@ double largest_gap(const PerRow<double>& a, const PerRow<double>& b) {
   double gap = 0;
   for (int i = 0; i < a.size(); ++i) gap = std::max(gap, std::abs(a[i] - b[i]));
   return gap;
+}
+
+/// [s] The least time of several solves.
+double seconds_of(Solver<double>& solver, const VelocityProblem<double>& start) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int reading = 0; reading < 9; ++reading) {
+    VelocityProblem<double> problem = start;
+    const auto begin = std::chrono::steady_clock::now();
+    solver.solve(problem);
+    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return least;
+}
+
+/// Of 200 sweeps as blocks, set-up included, to 200 row by row.
+double time_ratio(const VelocityProblem<double>& problem) {
+  SequentialImpulse<double> rows({.iterations = 200});
+  BlockSequentialImpulse<double> blocks({.iterations = 200});
+  return seconds_of(blocks, problem) / seconds_of(rows, problem);
 }
 
 /// j v of a normal and of its friction, from one velocity of the contact point, which both need.
@@ -133,7 +154,8 @@ Savings count_savings(const BlocksRuns& all) {
           .inverses_once = blocks.inverses,
           .inverses_again = again.inverses,
           .change = largest_gap(blocks.impulse, again.impulse),
-          .library_gap = largest_gap(blocks.impulse, library.impulse)};
+          .library_gap = largest_gap(blocks.impulse, library.impulse),
+          .time_ratio = time_ratio(all.chains[welded_ten].problem)};
 }
 
 void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings) {
@@ -144,6 +166,9 @@ void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings
                   savings.row_updates, savings.block_updates, savings.inverses_once, savings.inverses_again));
   lesson.print(
       "  j·v of a normal and its friction: 12 multiply-adds row by row, 8 from one velocity of the point");
+  lesson.print(
+      fmt::format("  and yet a sweep over ten welds takes {:.2f} times as long as blocks, on this machine",
+                  savings.time_ratio));
   lesson.print();
 }
 

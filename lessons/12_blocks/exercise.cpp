@@ -1,4 +1,4 @@
-// Exercise 12. Solve both rows of a pin at once. Then: bash lessons/run check 12
+// Exercise 12. Solve both rows of a pin together. Then: bash lessons/run check 12
 #include "lessons/kit/exercise.hpp"
 #include <cairn/math/list.hpp>
 
@@ -31,7 +31,7 @@ void push(const Pin& pin, Body& one, Body& two, double x, double y) {
   two.omega += two.inverse_inertia * (pin.r2x * y - pin.r2y * x);
 }
 
-// One visit to the pin: makes both row velocities 0 at once. Its block of A is
+// One visit to the pin: makes both row velocities 0 together. Its block of A is
 //     k11 = Σ 1/m + r_y²/I     k12 = Σ −r_x r_y/I     k22 = Σ 1/m + r_x²/I     summed over both bodies.
 void visit(Pin& pin, Body& one, Body& two) {
   const FixedList<double, 2> jv = row_velocities(pin, one, two);

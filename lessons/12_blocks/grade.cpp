@@ -49,7 +49,7 @@ List<Wrong> wrong_impulses() {
   const double x = 5.625 / right.k11, y = -11.25 / right.k22;
   return {{{x, -jv[1] / right.k22}, "Each row for itself: the other row's impulse comes in by k12."},
           {{x, -(jv[1] + right.k12 * x) / right.k22},
-           "That is one visit to each row, as in a sweep row by row: solve both at once."},
+           "That is one visit to each row, as in a sweep row by row: solve both together."},
           {solved({right.k11, -right.k12, right.k22}, jv),
            "The sign of k12: −r_x r_y/I, and the inverse turns it."},
           {solved({right.k22, right.k12, right.k11}, jv),
@@ -59,7 +59,7 @@ List<Wrong> wrong_impulses() {
            "The determinant is k11 k22 − k12²."},
           {{-1, 2}, "The sign: the pin has to make both row velocities 0."},
           {{-(jv[0] + right.k12 * y) / right.k11, y},
-           "That is one visit to each row, as in a sweep row by row: solve both at once."},
+           "That is one visit to each row, as in a sweep row by row: solve both together."},
           {solved({6, 2, 3}, jv), "Both bodies give way: sum over both."},
           {solved({1.125, -1.25, 3}, jv), "Both bodies give way: sum over both."},
           {solved({5.025, 0.75, 3.9}, jv), "Inverse masses add up: 1/m of one and 1/m of the other."},
@@ -145,7 +145,7 @@ void grade_rod(Grade& grade, bool gives) {
 Exercise exercise() {
   return {
       .lesson = 12,
-      .task = "One visit to a pin: its 2 x 2 block, both impulses at once, and both bodies.",
+      .task = "One visit to a pin: its 2 x 2 block, both impulses together, and both bodies.",
       .file = "lessons/12_blocks/exercise.cpp",
       .hints = {"Two equations: k11 x + k12 y = −jv_x and k12 x + k22 y = −jv_y.",
                 "The inverse of K is (k22 −k12; −k12 k11) over k11 k22 − k12².",

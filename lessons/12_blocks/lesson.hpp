@@ -91,6 +91,7 @@ inline constexpr double goal = 0.01;      // error at which a chain counts as so
 inline constexpr int welded_one = 0;      // in BlocksRuns::chains
 inline constexpr int welded_three = 2;
 inline constexpr int level_pins = 4;
+inline constexpr int welded_ten = 7;  // needs more sweeps than the others
 
 BlocksRuns run_blocks(const BlocksSettings& settings);
 
@@ -132,6 +133,7 @@ struct Savings {
   int inverses_again = 0;
   double change = 0;       // [N s] of the impulses, inverted once or in each sweep
   double library_gap = 0;  // [N s] of the impulses, against the library's blocks
+  double time_ratio = 0;   // of a sweep over ten welds as blocks, to one row by row; on this machine
 };
 
 Savings count_savings(const BlocksRuns& all);

@@ -154,7 +154,7 @@ void draw_block(Page& page, const BlocksRuns& all) {
     return fmt::format("{} Δλ_{{1}} {} {} Δλ_{{2}} = {}", fixed(A(row, 0), 2), A(row, 1) < 0 ? "−" : "+",
                        fixed(std::abs(A(row, 1)), 2), fixed(all.rod.system.b(row), 0));
   };
-  page.equation(panel, {.number = "4.3: A_{BB} Δλ = (ζ − J v) / Δt, both rows at once",
+  page.equation(panel, {.number = "4.3: A_{BB} Δλ = (ζ − J v) / Δt, both rows together",
                         .symbols = line(0),
                         .numbers = line(1),
                         .result = fmt::format("Δλ = ({}, {}) N", fixed(all.rod.by_block[1][0], 2),

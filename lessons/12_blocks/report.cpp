@@ -116,6 +116,10 @@ void check_chains(Lesson& lesson, const BlocksRuns& all) {
   lesson.check_small("level pins: errors of rows and blocks differ, sweep for sweep, by", gap,
                      64 * epsilon * 20);
   lesson.check_small("sweeps that blocks need more than rows, in any of these scenes", worst, 0);
+  const ChainRun& ten = all.chains[welded_ten];
+  const double work = static_cast<double>(ten.blocks.work) / static_cast<double>(ten.rows.work);
+  lesson.check_that("ten welds: blocks take more multiply-adds to 1 % than rows", work > 1,
+                    fmt::format("{:.2f} times", work));
 }
 
 void check_bob(Lesson& lesson, const BlocksRuns& all) {

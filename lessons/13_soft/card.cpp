@@ -21,6 +21,11 @@ const LessonCard lesson13(
                  "110\u00a0N. With how many newtons does "
                  "the spring push as a soft row, in its first step?",
      .spoilers = {"26.4", "less than either", "30.5"},
+     .wrong = {{{31.5},
+                {31.7},
+                "That is the force at the start of the step. A soft row takes the force at "
+                "its end, when the spring has given way."},
+               {{109}, {111}, "So hard pushes a row that does not give way."}},
      .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
                "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
                "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},

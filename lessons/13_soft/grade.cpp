@@ -147,7 +147,7 @@ void grade_tower(Grade& grade, bool adds) {
       upper{.inverse_mass = 1 / 0.7, .velocity = -0.2};
   Spring first = spring_before, second = spring_before;
   first.impulse = second.impulse = 0;
-  bool is_none = false;  // at once, and not because the sweeps diverge
+  bool is_none = false;  // in one sweep, and not because the sweeps diverge
   for (int sweep = 0; sweep < 200; ++sweep) {
     visit(first, ground, lower, dt);
     if (sweep == 0) is_none = std::isnan(first.impulse);

@@ -21,6 +21,12 @@ const LessonCard lesson14(
          "update "
          "give?",
      .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
+     .unasked = {"lift"},
+     .wrong = {{{15},
+                {15},
+                "That is the whole weight over four parts of rope, as if all masses were at "
+                "rest."},
+               {{30}, {30}, "With that the heaviest mass would hang still. It falls."}},
      .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
                "λ follows from (22) with j·v = −4 g Δt: each part of the rope counts.",
                "j M⁻¹ jᵀ = 1/1 + 4/2 + 1/3."},

@@ -103,7 +103,7 @@ void grade_jacobian(Grade& grade, const Row& row) {
   const bool own = entry(1, 1, 0) != 2;  // the body's own term, not that of its neighbour
   grade.number({.what = "j·v where the 0.5 kg on two parts rise at 1 m/s (m/s)",
                 .value = 2,
-                .misconceptions = {{1, own ? "j has the parts: two parts get shorter at once." : ""},
+                .misconceptions = {{1, own ? "j has the parts: two parts get shorter together." : ""},
                                    {4, "j has the parts once: the square comes from j M⁻¹ jᵀ."},
                                    {-2, rise}},
                 .tolerance = rope_rounding},

@@ -79,7 +79,8 @@ void run(Lesson& lesson) {
   print_scene(lesson, all.settings);
   lesson.predict();
   print_runs(lesson, all);
-  const CountedCalls calls = count_calls(settings);
+  CountedCalls calls = count_calls(settings);
+  time_calls(calls);
   print_calls(lesson, calls);
   const double tension = tension_by_hand(settings);
   lesson.answer(

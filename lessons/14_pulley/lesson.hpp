@@ -61,15 +61,25 @@ std::string what_goes_down(const PulleySettings& settings);
 void print_runs(Lesson& lesson, const PulleyRuns& all);
 void check_runs(Lesson& lesson, const PulleyRuns& all);
 
+/// Sweeps over the rows of a pyramid, each row an object with a virtual call.
+struct CallTimes {
+  int rows = 0;
+  double one = 0;   // [ns] a row update, all objects of one class
+  double four = 0;  // of four classes in random order
+};
+
 /// Virtual calls in a sweep over a rope and a tower.
 struct CountedCalls {
   int constraints = 0;
   int in_one_loop = 0;   // over all constraints
   int in_two_loops = 0;  // the second over the contacts, without virtual calls
-  double change = 0;     // [N s] of the impulses, against sweeps with no virtual call
+  double change = 0;     // [N s] of the impulses, against sweeps with no virtual call, or with fewer classes
+  List<CallTimes> times = {};  // in the order of the scene, and by colours
 };
 
 CountedCalls count_calls(const PulleySettings& settings);
+/// Adds the times, which differ from machine to machine.
+void time_calls(CountedCalls& counted);
 void print_calls(Lesson& lesson, const CountedCalls& counted);
 void check_calls(Lesson& lesson, const CountedCalls& counted);
 CsvTable steps_table(const PulleyRuns& all);

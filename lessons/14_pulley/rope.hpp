@@ -1,4 +1,4 @@
-// A joint of this lesson's own, on three bodies at once.
+// A joint of this lesson's own, on three bodies.
 #pragma once
 
 #include <string>

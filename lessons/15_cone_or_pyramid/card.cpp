@@ -23,6 +23,10 @@ const LessonCard lesson15(
          "each "
          "clamped to μN?",
      .spoilers = {"1.79", "0.87", "diamond"},
+     .wrong = {{{2.44},
+                {2.46},
+                "That is where the length of λ is clamped. A square allows more towards its "
+                "corners."}},
      .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",
                "No axis knows of the other: think of two pucks on two rails, at 3 and at 4 m/s.",
                "Each stops after v²/2μg, and half a step less: 0.87 m along x, 1.56 m along y."},
@@ -31,6 +35,6 @@ const LessonCard lesson15(
                     {"vx", 3, 2, 10, "m/s", "speed to the right"},
                     {"vy", 4, 0, 10, "m/s", "speed upwards in the picture"}},
      .cover = 1,
-     .next = "bash lessons/run 16   (all rows at once: parallel, and dangerous)"});
+     .next = "bash lessons/run 16   (all rows together: parallel, and dangerous)"});
 
 }  // namespace cairn

@@ -74,7 +74,7 @@ void draw_vector(Page& page, const Slides& all) {
        .numbers = fmt::format("= {} × {:g} / {:g}", pair_text(wanted, 0), settings.limit(), wanted.norm()),
        .result = fmt::format("= {} N", pair_text(vector, 2)),
        .color = page.theme().friction},
-      3, "Both rows at once",
+      3, "Both rows together",
       "One clamp, of the length. λ still points against v, and its length is μN in every direction: "
       "Coulomb's "
       "circle.");

@@ -25,10 +25,16 @@ const LessonCard lesson16(
          "one under its "
          "middle, one 0.25\u00a0m to either side. Gravity has acted for one step. Each foot pushes as if it "
          "were "
-         "alone, and all push at once. "
+         "alone, and all push together. "
          "How much "
          "do they push together in the first sweep?",
      .spoilers = {"147.3", "0.291", "27/11"},
+     .unasked = {"omega", "base"},
+     .wrong = {{{59}, {61}, "So much they push if each knows of the others. Here none does."},
+               {{179},
+                {181},
+                "Only the middle foot takes the whole weight. A push off the middle also "
+                "turns the box, so it takes less."}},
      .hints = {"The foot in the middle, alone, stops the whole fall: 60 N.",
                "A foot at the side also turns the box, so it stops its own point with less.",
                "A_ii = 1/6 + r²/1, for three feet with r = −0.25, 0, 0.25 m; each gives 10 / A_ii newtons."},

@@ -96,6 +96,12 @@ struct PileHistory {
   int sweeps_needed = -1;      // after which R_E stays below 1 %; -1: never
 };
 
+/// Damped Jacobi with another share, and how many sweeps it needs.
+struct TunedJacobi {
+  double omega = 0;
+  int sweeps_needed = -1;
+};
+
 inline constexpr int many_sweeps = 300;
 inline constexpr int few_sweeps = 10;
 inline constexpr int larger_base = 10;
@@ -119,6 +125,8 @@ struct PileRun {
   PerBody<int> rows_on_box = {};         // the numbers n of Splitting::mass
   List<PileHistory> histories = {};      // in the order of all_methods
   PileHistory coloured = {};             // sequential, colour by colour
+  TunedJacobi tuned = {};                // with the share that needs the fewest sweeps
+  TunedJacobi with_momentum = {};        // with 1 / largest_eigenvalue, which is safe, and momentum
   double order_at_once = 0;  // what dealing the rows anew changes after 20 sweeps, over the largest impulse
   double order_in_turn = 0;  // the same for Method::sequential
   /// Under the ball: Method::split with many sweeps, Method::sequential with few, and with many.
@@ -130,6 +138,10 @@ struct PileRun {
 Scene pile_scene(int base, double ball_speed);
 
 PileRun run_pile(const PileSettings& settings);
+
+/// Sweeps of damped Jacobi to the goal, each begun from where the last two sweeps point; -1: more than
+/// `most`.
+int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int most);
 
 /// For how long every row has to wait in one sweep, if each has a processor of its own.
 int waits_per_sweep(const PileRun& run, const PileHistory& history);

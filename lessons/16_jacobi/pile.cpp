@@ -80,6 +80,17 @@ int colours_of(const VelocityProblem<double>& problem) {
   return sequence.colours.size() - 1;
 }
 
+/// Tries shares of 0.1, 0.105 ... up to that at which it would no longer converge.
+TunedJacobi tuned_jacobi(const VelocityProblem<double>& problem, double largest) {
+  TunedJacobi best;
+  for (double omega = 0.1; omega * largest < 2; omega += 0.005) {
+    VelocityProblem<double> copy = problem;
+    const int needed = history_from(Method::damped, solved(Method::damped, omega, 600, copy)).sweeps_needed;
+    if (needed > 0 && (best.sweeps_needed < 0 || needed < best.sweeps_needed)) best = {omega, needed};
+  }
+  return best;
+}
+
 /// The same problem with its rows backwards.
 VelocityProblem<double> backwards(const VelocityProblem<double>& problem) {
   VelocityProblem<double> result = problem;
@@ -176,12 +187,40 @@ PileRun run_pile(const PileSettings& settings) {
   run.rows_on_box = rows_on_each(run.problem);
   for (const Method method : all_methods) run.histories.push_back(pile_history(run, method));
   run.coloured = coloured_history(run);
+  run.tuned = tuned_jacobi(run.problem, run.largest_eigenvalue);
+  const double safe = 1 / run.largest_eigenvalue;
+  run.with_momentum = {safe, sweeps_with_momentum(run.problem, safe, settings.sweeps)};
   run.order_at_once = effect_of_order(run.problem, Method::split);
   run.order_in_turn = effect_of_order(run.problem, Method::sequential);
   run.mirrors = {run_mirror(settings, Method::split, many_sweeps),
                  run_mirror(settings, Method::sequential, few_sweeps),
                  run_mirror(settings, Method::sequential, many_sweeps)};
   return run;
+}
+
+int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int most) {
+  const int m = start.row_count();
+  const double scale = residual_scale(start);
+  Jacobi<double> jacobi({.iterations = 1, .relaxation = omega});
+  PerRow<double> last(m, 0.0), begun(m, 0.0);
+  double theta = 1;
+  for (int sweep = 1, settled = 0; sweep <= most + 10; ++sweep) {
+    VelocityProblem<double> problem = start;
+    problem.impulse = begun;
+    jacobi.solve(problem);  // which gives all bodies these impulses first
+    settled = residual(problem, scale).energy <= goal ? settled + 1 : 0;
+    if (settled == 10) return sweep - 9;
+    double against = 0;  // whether the last move goes back on what this sweep corrects
+    for (int i = 0; i < m; ++i)
+      against += (begun[i] - problem.impulse[i]) * (problem.impulse[i] - last[i]) *
+                 inverse_effective_mass(start, start.rows[i]);
+    if (against > 0) theta = 1;
+    const double next = (1 + std::sqrt(1 + 4 * theta * theta)) / 2, share = (theta - 1) / next;
+    theta = next;
+    for (int i = 0; i < m; ++i) begun[i] = problem.impulse[i] + share * (problem.impulse[i] - last[i]);
+    last = problem.impulse;
+  }
+  return -1;
 }
 
 int waits_per_sweep(const PileRun& run, const PileHistory& history) {

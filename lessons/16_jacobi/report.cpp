@@ -58,6 +58,12 @@ void print_pile(Lesson& lesson, const PileRun& run) {
     line(method_name(history.method, run.settings.omega), history);
   }
   line("SI, by colours", run.coloured);
+  const auto tuned = [&](const char* name, const TunedJacobi& jacobi, int waits) {
+    lesson.print(fmt::format("  {:<18} {:>47} {:>9} {:>9}", fmt::format("{}, ω = {:.3f}", name, jacobi.omega),
+                             jacobi.sweeps_needed, waits, jacobi.sweeps_needed * waits));
+  };
+  tuned("Jacobi, best", run.tuned, 1);
+  tuned("momentum", run.with_momentum, 2);  // whose test for a restart adds up all rows
   const double bytes_there = 1.0 * sizeof(ConstraintRow<double>) * run.problem.row_count();
   const double bytes_back = 1.0 * sizeof(Vec3<double>) * run.problem.body_count();
   lesson.print(fmt::format(
@@ -114,6 +120,14 @@ void check_pile(Lesson& lesson, const PileRun& run) {
     lesson.check_that("damped: below 2, and it settles (sweeps to 1 %)", damped.sweeps_needed > 0,
                       fmt::format("{}", damped.sweeps_needed));
   }
+  lesson.check_that(
+      "Jacobi with momentum: far fewer sweeps than with the best share",
+      run.with_momentum.sweeps_needed > 0 && 2 * run.with_momentum.sweeps_needed < run.tuned.sweeps_needed,
+      fmt::format("{} < {} / 2", run.with_momentum.sweeps_needed, run.tuned.sweeps_needed));
+  lesson.check_that(
+      "and fewer waits in all than SI by colours, twice as many a sweep",
+      2 * run.with_momentum.sweeps_needed < run.coloured.sweeps_needed * run.colours,
+      fmt::format("{} < {}", 2 * run.with_momentum.sweeps_needed, run.coloured.sweeps_needed * run.colours));
   lesson.check_that("split settles, in more sweeps than SI",
                     in_turn.sweeps_needed > 0 && split.sweeps_needed > in_turn.sweeps_needed,
                     fmt::format("{} > {}", split.sweeps_needed, in_turn.sweeps_needed));

@@ -17,10 +17,12 @@ const LessonCard lesson17(
      .question =
          "In step 5 SI finds 133.51\u00a0N at the ground, instead of 100\u00a0N. Box2D differs from SI in "
          "three "
-         "ways: (1) it computes in single precision; (2) it solves both points of an interface at once; (3) "
+         "ways: (1) it computes in single precision; (2) it solves both points of an interface together; (3) "
          "it visits the interfaces from the top down, if the boxes are created from the ground up. Which of "
          "these must be removed before all loads agree to 0.001\u00a0N?",
      .spoilers = {"0.00005", "fingerprint"},
+     .wrong = {{{1}, {1}, "Single precision changes the loads by less than 0.0001 N."},
+               {{2}, {2}, "These boxes cannot turn, so the two points of an interface demand the same."}},
      .hints = {"Single precision has about 7 digits, of which 100 N has three before the point.",
                "The boxes cannot turn. What do the two points of an interface ask for?",
                "Sweep once by hand, from λ = 0: what does the uppermost interface get, if it is the first?"},

@@ -42,7 +42,7 @@ enum class Slip {
   pushes_up,
   sum_again,
   not_kept,
-  at_last  // the weight of all that is above, at once
+  at_last  // the weight of all that is above, together
 };
 
 struct Known {

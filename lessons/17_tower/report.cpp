@@ -92,11 +92,14 @@ void report(Lesson& lesson, const TowerRuns& runs) {
                   "from the ground up, {:.2f} N. Box {} carries {:.2f} N; from the ground up, {:.2f} N.",
                   gap_of_orders(runs), runs.from_top[1].loads[1][0], runs.warm[1].loads[1][0], middle + 1,
                   runs.from_top[1].loads[1][middle], runs.warm[1].loads[1][middle]));
-  lesson.answer({3}, 1,
+  const TurningRun turning = run_turning();
+  print_turning(lesson, turning);
+  lesson.answer({3}, 0,
                 "The order. In the same order, Box2D is the same algorithm again, in single precision.");
   check_runs(lesson, "warm", runs.warm, runs.warm_by_hand, runs.settings);
   check_runs(lesson, "cold", runs.cold, runs.cold_by_hand, runs.settings);
   check_order(lesson, runs);
+  check_turning(lesson, turning);
   const double first = runs.warm[1].loads[1][0];
   lesson.check_equal("step 1 is the same, warm or cold (N)", runs.cold[1].loads[1][0], first, 0);
 }

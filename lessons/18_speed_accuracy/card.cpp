@@ -21,6 +21,12 @@ const LessonCard lesson18(
          "Ten boxes: after 85 sweeps of SI 10\u00a0% of the error is left, after 178 sweeps 1\u00a0%. How "
          "many sweeps leave a billionth, 10⁻⁹?",
      .spoilers = {"829", "0.9755", "same share"},
+     .unasked = {"omega", "sweeps"},
+     .wrong = {{{760},
+                {775},
+                "The first digit is the cheapest: it also takes away errors that vanish "
+                "quickly."},
+               {{1590}, {1610}, "178 sweeps gave two digits, not one."}},
      .hints = {"What did the second digit cost? And what is different about the third?",
                "In the end each sweep leaves cos²(π/2n) of the error, however small it is.",
                "One digit for 85 sweeps, and eight more at the price of the second."},

@@ -25,7 +25,7 @@ struct CostSettings {
 /// largest exact lambda.
 struct Curve {
   std::string name = {};
-  double work = 0;                 // multiply-adds of one sweep
+  double work = 0;                 // products of one sweep over A: 3n − 2 entries, and one for each share
   double rate = 0;                 // what a sweep leaves of the error in the end; 0: no formula
   List<double> error = {};         // until least_error
   List<List<double>> lambda = {};  // [N] of the first kept_sweeps

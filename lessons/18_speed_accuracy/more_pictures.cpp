@@ -8,10 +8,10 @@ namespace {
 constexpr double first_sweep = 3;  // of the curves: before it all errors are nearly 1
 constexpr double last_error = 1e-6;
 
-/// Every curve's errors against its sweeps, or against the multiply-adds that these take; sparsely, as the
+/// Every curve's errors against its sweeps, or against the products that these take; sparsely, as the
 /// axis is logarithmic.
 void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work) {
-  const std::string what = is_work ? "multiply-adds" : "sweeps";
+  const std::string what = is_work ? "products" : "sweeps";
   const double work = is_work ? run.curves[si_curve].work : 1;
   Plot plot{.title = "error against " + what,
             .x = {.title = what, .scale = AxisScale::logarithmic, .min = first_sweep * work},
@@ -29,7 +29,7 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
     }
   }
   if (is_work) {
-    const double n = run.settings.boxes, elimination = n * n * n / 3 + n * n;
+    const double n = run.settings.boxes, elimination = (n * n * n - n) / 3 + n * n;
     plot.front = {.x = {elimination, elimination}, .y = {last_error / 2, 2}};
     plot.labels = {{elimination, 1e-4, "elimination, full A"}};
   }
@@ -131,8 +131,8 @@ List<Shot> digit_shots(const CostRun& run) {
   };
   return {
       {.state = "sweeps, and work",
-       .alt = "Errors of four solvers against sweeps and against multiply-adds: SI and Jacobi creep, SOR and "
-              "momentum fall; by multiply-adds momentum falls behind SOR.",
+       .alt = "Errors of four solvers against sweeps and against products: SI and Jacobi creep, SOR and "
+              "momentum fall; by products momentum falls behind SOR.",
        .draw = draw_both,
        .key = true},
       key_shot(

@@ -21,6 +21,11 @@ const LessonCard lesson19(
          "A box of 1\u00a0kg carries one of 100\u00a0kg. How many sweeps until the load on the ground is "
          "right to 1\u00a0%? And with the light box above?",
      .spoilers = {"463", "99 %"},
+     .unasked = {"sweeps", "bodies", "speed", "beta", "turn"},
+     .wrong = {{{1, 400},
+                {2, 500},
+                "It is the other way round: think of what one sweep can pass on from the light box."},
+               {{2, 0}, {300, 1000}, "Each sweep takes only one part in 101 of the error away."}},
      .hints = {"Which boxes does the ground see in the first sweep? Only the light one.",
                "One sweep leaves R / (1 + R) of the error: here 100 / 101.",
                "(100 / 101)ᵏ ≤ 1 / 100: take logarithms."},

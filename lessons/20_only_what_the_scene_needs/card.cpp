@@ -17,14 +17,17 @@ const LessonCard lesson20(
      .needs = {"lesson 09", "lesson 11", "lesson 18"},
      .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
      .question =
-         "Pyramid, tower and chain have 100, 40 and 10 rows, and get 50 sweeps a step. If each step ends "
-         "once "
-         "all errors are down to a thousandth, 91\u00a0% of the row updates are left. Ended by itself, the "
-         "pyramid takes 8 sweeps on average, the tower 45.5, the chain 33. How many per cent are left if "
-         "all three end by "
-         "themselves?",
-     .spoilers = {"39", "0.85 m"},
-     .hints = {"If a step ends for all at once, which of the three does everybody wait for?",
+         "Pyramid, tower and chain have 100, 40 and 10 rows. Each step takes 50 sweeps over them, or ends as "
+         "soon as all errors are down to a thousandth: that leaves 89\u00a0% of the row updates. How many "
+         "per "
+         "cent are left if each of the three ends by itself?",
+     .spoilers = {"40 %", "0.85 m"},
+     .wrong = {{{85},
+                {100},
+                "The tower keeps only itself waiting now: the pyramid, with most of the rows, "
+                "ends much sooner."},
+               {{0}, {25}, "The tower still takes nearly all of its sweeps."}},
+     .hints = {"If a step ends for all together, which of the three does everybody wait for?",
                "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
                "Add rows × sweeps of the three, and divide by 150 × 50."},
      .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},

@@ -22,12 +22,20 @@ void note(StepBill& bill, const Stage& stage, const StepReport& report) {
     bill.residual = std::max(bill.residual, residual_left(stage));
 }
 
+/// A step, and the seconds that it took on this machine, without what this lesson looks up afterwards.
+StepReport timed_step(Stage& stage, double& seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const StepReport report = stage.world.step(stage.solver, &stage.scale);
+  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
 /// One step of the whole scene, or of its islands one by one, and what it has cost.
-StepBill step(List<Stage>& stages) {
+StepBill step(List<Stage>& stages, double& seconds) {
   StepBill bill;
   // [bill]
   for (Stage& stage : stages) {
-    const StepReport report = stage.world.step(stage.solver, &stage.scale);
+    const StepReport report = timed_step(stage, seconds);
     bill.updates += static_cast<long long>(report.rows) * report.sweeps;  // 0 where all of it sleeps or flies
     note(bill, stage, report);
   }
@@ -39,9 +47,7 @@ BillRun run_under(const NeedsSettings& settings, const Switches& switches, doubl
   List<Stage> stages = stages_of(settings, switches, tolerance);
   BillRun run{.switches = switches, .frames = {together(stages)}};
   for (int k = 1; k <= settings.steps; ++k) {
-    const auto start = std::chrono::steady_clock::now();
-    run.steps.push_back(step(stages));
-    run.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.steps.push_back(step(stages, run.seconds));
     run.updates += run.steps.back().updates;
     run.frames.push_back(together(stages));
   }

@@ -143,7 +143,8 @@ List<std::string> mean_lines(const NeedsRun& all) {
 
 std::string answer_text(const NeedsRun& all) {
   return fmt::format(
-      "{:.0f} %. In one piece, a step ends for all at once, mostly late, because of the tower. By itself the "
+      "{:.0f} %. In one piece, a step ends for all together, mostly late, because of the tower. By itself "
+      "the "
       "pyramid, with the most rows, stops after {:.0f} sweeps on average. Sleep leaves {:.0f} %, all "
       "together "
       "{:.0f} %.",

@@ -59,6 +59,9 @@ struct UsageError : std::runtime_error {
 /// @throws UsageError, and std::logic_error when two flags of the lesson have one name.
 Options read_arguments(const LessonInfo& info, int argc, const char* const* argv);
 
+/// The card of a run: without its question where that is about other values. card() loses it, too.
+LessonInfo card_for(const LessonInfo& info, const Options& options);
+
 /// "lesson06".
 std::string short_name(const LessonInfo& info);
 /// "lesson06_sequential_impulses".

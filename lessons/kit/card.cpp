@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "lessons/kit/arguments.hpp"
+
 namespace cairn {
 
 namespace {
@@ -26,5 +28,20 @@ LessonCard::LessonCard(LessonInfo info) {
 const List<LessonInfo>& cards() { return all_cards(); }
 
 const LessonInfo& card() { return cards().front(); }
+
+LessonInfo card_for(const LessonInfo& info, const Options& options) {
+  const auto is_unasked = [&info](const std::string& flag) {
+    return std::find(info.unasked.begin(), info.unasked.end(), flag) != info.unasked.end();
+  };
+  bool fits = true;
+  for (const Parameter& parameter : info.parameters)
+    fits &= is_unasked(parameter.flag) || options.numbers.at(parameter.flag) == parameter.standard;
+  for (const Choice& choice : info.choices)
+    fits &= is_unasked(choice.flag) || options.choices.at(choice.flag) == choice.values.front();
+  LessonInfo told = info;
+  if (!fits) told.question.clear();
+  if (!all_cards().empty()) all_cards().front().question = told.question;  // pictures ask card()
+  return told;
+}
 
 }  // namespace cairn

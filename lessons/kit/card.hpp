@@ -25,6 +25,14 @@ struct Choice {
   std::string what = {};
 };
 
+/// A wrong guess at the question that many make, each number from `least` to `most`, and what is wrong with
+/// it.
+struct WrongGuess {
+  List<double> least = {};
+  List<double> most = {};
+  std::string why = {};  // a sentence, which follows what the reader said
+};
+
 /// What a lesson is, before it runs: shown by --help, --about, `lessons list`.
 struct LessonInfo {
   int number = 0;
@@ -37,6 +45,8 @@ struct LessonInfo {
   List<std::string> reads = {};      // files of the project to read next
   std::string question = {};         // to predict before the lesson shows it
   List<std::string> spoilers = {};   // words and numbers of the answer: none stands before a page's fold
+  List<std::string> unasked = {};    // flags that may be changed, and the question is still about this scene
+  List<WrongGuess> wrong = {};       // the first that a guess is among explains it
   List<std::string> hints = {};      // up to three, from vague to plain
   List<Parameter> parameters = {};
   List<Choice> choices = {};

@@ -61,7 +61,23 @@ std::string numbers_text(const List<double>& numbers) {
   return joined(words, ", ");
 }
 
-Judgement judged(const List<double>& guess, const List<double>& right, double tolerance) {
+namespace {
+
+/// Why a guess is wrong, for one that is known; "" for all others.
+std::string reason_of(const List<double>& guess, const List<WrongGuess>& known) {
+  for (const WrongGuess& wrong : known) {
+    bool is_among = guess.size() == wrong.least.size();
+    for (int i = 0; is_among && i < guess.size(); ++i)
+      is_among = guess[i] >= wrong.least[i] && guess[i] <= wrong.most[i];
+    if (is_among) return wrong.why;
+  }
+  return "";
+}
+
+}  // namespace
+
+Judgement judged(const List<double>& guess, const List<double>& right, double tolerance,
+                 const List<WrongGuess>& known) {
   if (guess.size() != right.size()) {
     return {
         .words = fmt::format(
@@ -71,8 +87,9 @@ Judgement judged(const List<double>& guess, const List<double>& right, double to
   }
   for (int i = 0; i < right.size(); ++i) {
     const bool is_near = std::abs(guess[i] - right[i]) <= tolerance;
-    if (!is_near && short_number(guess[i]) != short_number(right[i]))
-      return {.words = "NOT YET  you said " + numbers_text(guess) + "; it is "};
+    if (is_near || short_number(guess[i]) == short_number(right[i])) continue;
+    const std::string why = reason_of(guess, known), said = "NOT YET  you said " + numbers_text(guess);
+    return {.words = why.empty() ? said + "; it is " : said + ". " + why + " It is "};
   }
   return {.is_right = true, .words = "RIGHT    "};
 }

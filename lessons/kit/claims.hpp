@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/kit/card.hpp"
+
 #include <cairn/math/list.hpp>
 
 namespace cairn {
@@ -30,12 +32,14 @@ std::string short_number(double value);
 std::string numbers_text(const List<double>& numbers);
 
 /// A reader's guess beside the numbers that were asked for. What is printed alike is right, however small the
-/// tolerance: nobody is told that 17.14 is wrong, and 17.14 right.
+/// tolerance: nobody is told that 17.14 is wrong, and 17.14 right. A wrong guess among the known ones is told
+/// why.
 struct Judgement {
   bool is_right = false;
   std::string words = {};  // "RIGHT    ", or what was said and "it is ": the right numbers follow
 };
-Judgement judged(const List<double>& guess, const List<double>& right, double tolerance);
+Judgement judged(const List<double>& guess, const List<double>& right, double tolerance,
+                 const List<WrongGuess>& known = {});
 
 /// How many hold.
 int holding(const List<Claim>& claims);

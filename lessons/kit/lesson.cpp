@@ -32,11 +32,13 @@ struct Lesson::State {
   std::optional<List<double>> guess = {};
   bool is_wrong = false;  // the answer that was given with --answer
   bool was_filmed = false;
+  bool has_theory_to_tell = false;  // held back until the reader has guessed
   RunRecord record = {};
   std::optional<CsvTable> table = {};
 
   void claim(Claim claim);
   void print_title();
+  void print_theory();
   void print_end();
   void write_files();
   int exit_code() const;
@@ -71,6 +73,12 @@ void Lesson::State::print_title() {
   const std::string title = fmt::format("Lesson {}  {}", two_digits(info.number), info.title);
   console.narrate(spread(console.spelt(title), console.spelt(info.paper)), Console::Color::bold);
   if (options.check) return;
+  has_theory_to_tell = true;
+  if (!options.predict || info.question.empty()) print_theory();
+}
+
+void Lesson::State::print_theory() {
+  if (!std::exchange(has_theory_to_tell, false)) return;
   console.narrate(wrapped("Idea: " + info.idea, page_width, 6));
   for (const std::string& equation : info.equations) console.narrate("  " + equation);
 }
@@ -150,24 +158,27 @@ void Lesson::predict() {
   state_->console.narrate(wrapped("PREDICT  " + state_->info.question + hint, page_width, 9),
                           Console::Color::bold);
   state_->guess = options.answer;
-  if (!options.predict || options.answer || !is_terminal(stdin)) return;
-  for (;;) {
+  bool waits = options.predict && !options.answer && is_terminal(stdin);
+  while (waits) {
     state_->console.ask("Your guess (numbers between commas; Enter to see): ");
     std::string line;
-    if (!std::getline(std::cin, line) || line.empty()) return;
+    if (!std::getline(std::cin, line) || line.empty()) break;
     state_->guess = parse_numbers(line);
-    if (state_->guess) return;
-    state_->console.narrate("That is no number.");
+    waits = !state_->guess;
+    if (waits) state_->console.narrate("That is no number.");
   }
+  state_->print_theory();
 }
 
 void Lesson::answer(const List<double>& right, double tolerance, std::string_view explanation) {
   const Options& options = state_->options;
+  const bool is_asked = !state_->info.question.empty();
   if (options.answer) state_->guess = options.answer;
   const std::string told = numbers_text(right) + "   " + std::string(explanation);
-  if (!state_->guess) return print(wrapped("ANSWER   " + told, page_width, 9));
+  if (!state_->guess) return is_asked ? print(wrapped("ANSWER   " + told, page_width, 9)) : void();
   const List<double>& guess = *state_->guess;
-  const Judgement verdict = judged(guess, right, tolerance);
+  const Judgement verdict =
+      judged(guess, right, tolerance, is_asked ? state_->info.wrong : List<WrongGuess>());
   Console& console = state_->console;
   console.result(console.spelt(wrapped(verdict.words + told, page_width, 9)));
   // A guess at the prompt is free; an answer on the command line wants a verdict.
@@ -267,8 +278,9 @@ int run_lesson(const LessonInfo& info, const std::function<void(Lesson&)>& lesso
       complain(short_name(info), 0, "--step needs a terminal; going on without pauses");
     }
     options.step = options.step && can_pause;
+    const LessonInfo told = card_for(info, options);
     const Console console(options.console);
-    Lesson run(std::make_unique<Lesson::State>(Lesson::State{info, std::move(options), console}));
+    Lesson run(std::make_unique<Lesson::State>(Lesson::State{told, std::move(options), console}));
     Lesson::State& state = *run.state_;
     state.print_title();
     if (state.options.step) state.console.narrate("Enter goes on.");

@@ -18,9 +18,25 @@ render::Rect draw_scene(render::Page& page, const QuestionFrame& frame) {
   return parts[1];
 }
 
+/// A scene that the reader has changed: nothing is asked of it.
+Shot silent_shot(const QuestionFrame& frame) {
+  const auto draw = [frame](render::Page& page) {
+    if (!frame.evidence) return frame.scene(page, page.area());
+    const List<render::Rect> parts = columns(page.area(), {0.62, 0.38}, page.sizes().gap);
+    frame.scene(page, parts[0]);
+    frame.evidence(page, parts[1]);
+  };
+  return {.state = frame.state, .alt = frame.alt, .draw = draw, .key = true};
+}
+
 }  // namespace
 
 Shot question_shot(const LessonInfo& info, const QuestionFrame& frame) {
+  if (info.question.empty()) {
+    QuestionFrame bare = frame;
+    bare.evidence = {};
+    return silent_shot(bare);
+  }
   const auto draw = [info, frame](render::Page& page) {
     const render::Rect room = draw_scene(page, frame);
     if (frame.place == ScenePlace::above) {
@@ -33,6 +49,7 @@ Shot question_shot(const LessonInfo& info, const QuestionFrame& frame) {
 }
 
 Shot answer_shot(const LessonInfo& info, const QuestionFrame& frame, const std::string& answer) {
+  if (info.question.empty()) return silent_shot(frame);
   const auto draw = [info, frame, answer](render::Page& page) {
     render::Rect rest = draw_scene(page, frame);
     if (frame.place == ScenePlace::above) {

@@ -199,7 +199,7 @@ void sweep_matrix(const System& system, std::vector<double>& lambda) {
 }
 //@ 6
 
-// One sweep of sequential impulses: each row pushes at once.
+// One sweep of sequential impulses: each row pushes immediately.
 void sweep(std::vector<Row>& rows, std::vector<Body>& bodies) {
   for (Row& row : rows) {
     //@ 6-6

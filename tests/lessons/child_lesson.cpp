@@ -59,6 +59,8 @@ LessonInfo made_up_lesson() {
   info.paper = "paper 1, eq (1)";
   info.equations = {"(1)  λ = 1/60"};
   info.question = "What is six by seven?";
+  info.unasked = {"dt"};
+  info.wrong = {{.least = {12.5}, .most = {13.5}, .why = "That is the sum."}};
   info.hints = {"Count.", "It is 42."};
   info.parameters.push_back(
       {.flag = "dt", .standard = 0.02, .min = 0.001, .max = 0.1, .unit = "s", .what = "time step"});

@@ -150,6 +150,40 @@ TEST_CASE("an answer on the command line is judged, and a wrong one gives exit c
   CHECK(code_of(lesson, {"--predict"}) == 0);  // no terminal, so no prompt
 }
 
+TEST_CASE("a wrong guess that is known is told why it is wrong, and any other what is right") {
+  const auto lesson = [](Lesson& run) { run.answer({42}, 0.5, "By counting."); };
+  const Ran sum = run_in_child(lesson, {"--answer", "13.2"}),
+            other = run_in_child(lesson, {"--answer", "15"});
+  CHECK(sum.code == 1);
+  CHECK(says(sum.out, "NOT YET  you said 13.20. That is the sum. It is 42.00   By counting."));
+  CHECK(says(other.out, "NOT YET  you said 15.00; it is 42.00   By counting."));
+}
+
+TEST_CASE("with --predict, nothing of idea and equations stands before the question") {
+  const Ran ran = run_in_child([](Lesson& run) { run.predict(); }, {"--predict"});
+  const std::size_t question = ran.out.find("PREDICT");
+  CHECK(question != std::string::npos);
+  CHECK(ran.out.find("Idea: A lesson") > question);
+  CHECK(ran.out.find("λ = 1/60") > question);
+  CHECK(says(ran.out, "λ = 1/60"));
+}
+
+TEST_CASE("a question about other values than those of the run is not asked, and not answered") {
+  const auto lesson = [](Lesson& run) {
+    run.predict();
+    run.answer({42}, 0.5, "By counting.");
+  };
+  const Ran changed = run_in_child(lesson, {"--steps", "7"}),
+            chosen = run_in_child(lesson, {"--precision", "float"});
+  for (const Ran& ran : {changed, chosen}) {
+    CHECK_FALSE(says(ran.out, "PREDICT"));
+    CHECK_FALSE(says(ran.out, "ANSWER"));
+    CHECK(says(ran.out, "λ = 1/60"));
+  }
+  CHECK(says(run_in_child(lesson, {"--dt", "0.01"}).out, "PREDICT"));  // the question is not about dt
+  CHECK(run_in_child(lesson, {"--steps", "7", "--answer", "41"}).code == 1);
+}
+
 TEST_CASE("the state of a run can be demanded of the next") {
   const auto lesson = [](Lesson& run) { run.fingerprint(List<double>{}); };
   CHECK(code_of(lesson, {"--expect", "cbf29ce484222325"}) == 0);  // FNV-1a of nothing: its offset basis
