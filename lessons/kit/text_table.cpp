@@ -98,6 +98,7 @@ Cell cell_of(const Glyphs& line, const Column& column, bool plain) {
   Cell cell = {.text = joined_glyphs(line, begin, end), .indent = begin - column.begin};
   if (plain) cell.text = transliterated(cell.text);
   cell.is_right = end == column.end && cell.indent > 0;
+  cell.fills = end == column.end && cell.indent == 0 && begin < end;
   if (cell.is_right || cell.text.empty()) cell.indent = 0;
   return cell;
 }
@@ -129,6 +130,14 @@ TextTable text_table(const List<std::string>& texts, bool plain) {
       const Cell& cell = table.rows.back().back();
       column.width = std::max(column.width, cell.indent + width_of(cell.text));
     }
+  }
+  // What fills a column of numbers ends where they end.
+  for (int i = 0; i < table.columns.size(); ++i) {
+    const bool has_right = std::any_of(table.rows.begin(), table.rows.end(), [i](const List<Cell>& row) {
+      return !row.empty() && row[i].is_right;
+    });
+    for (List<Cell>& row : table.rows)
+      if (!row.empty()) row[i].is_right = row[i].is_right || (has_right && row[i].fills);
   }
   return table;
 }

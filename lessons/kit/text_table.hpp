@@ -15,6 +15,7 @@ struct Cell {
   std::string text = {};
   int indent = 0;  // of its first letter in the column
   bool is_right = false;
+  bool fills = false;  // the column as it was printed
 };
 
 struct Column {
