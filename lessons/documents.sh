@@ -11,6 +11,7 @@ source=$(cd "$2" && pwd)
 destination=${3:-$source}
 mkdir -p "$destination"
 destination=$(cd "$destination" && pwd)
+unset COLUMNS
 export PATH=$programs:$PATH NO_COLOR=1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

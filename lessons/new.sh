@@ -35,6 +35,6 @@ lessons/${number}_$name is a small lesson that works. Next:
   bash lessons/run $((10#$number))          builds and runs it
   cmake --build build/release --target images    draws its cover, which its page shows
   bash tests/run              holds it to what all lessons keep to
-Add it to the table in README.md when it is ready. lessons/WRITING.md says what makes a good one.
+Add it to the list in README.md when it is ready. lessons/WRITING.md says what makes a good one.
 EOF
 }

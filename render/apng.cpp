@@ -72,11 +72,24 @@ Block changed_rect(const Image& before, const Image& after) {
   return {.x = left, .y = top, .width = right - left + 1, .height = bottom - top + 1};
 }
 
-Image cropped(const Image& image, const Block& rect) {
+/// The colour that means "as before" (tRNS): long runs of it take next to nothing.
+constexpr std::uint8_t unchanged[] = {3, 253, 2};
+
+/// A pixel of just that colour is shown one level bluer.
+void keep_clear(Image& image) {
+  for (int i = 0; i < image.pixels.size(); i += 3)
+    if (std::equal(unchanged, unchanged + 3, image.pixels.begin() + i)) ++image.pixels[i + 2];
+}
+
+/// The rectangle of `after`, with what is as before left out.
+Image changes(const Image& before, const Image& after, const Block& rect) {
   Image part{.width = rect.width, .height = rect.height};
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    const auto row = image.pixels.begin() + offset_of(image, rect.x, y);
-    part.pixels.insert(part.pixels.end(), row, row + 3 * rect.width);
+    for (int x = rect.x; x < rect.x + rect.width; ++x) {
+      const auto pixel = after.pixels.begin() + offset_of(after, x, y);
+      const bool is_same = std::equal(pixel, pixel + 3, before.pixels.begin() + offset_of(before, x, y));
+      for (int i = 0; i < 3; ++i) part.pixels.push_back(is_same ? unchanged[i] : pixel[i]);
+    }
   }
   return part;
 }
@@ -91,7 +104,7 @@ Bytes frame_control(std::uint32_t sequence_number, const Block& rect, std::uint3
   append_short(data, 100);
   append_short(data, hundredths);
   data.push_back(0);  // the frame stays when its time is over
-  data.push_back(0);  // its pixels replace what was there
+  data.push_back(1);  // its pixels cover what was there, but for those that are left out
   return data;
 }
 
@@ -107,6 +120,7 @@ ApngWriter::ApngWriter(const std::filesystem::path& path, int frames, double fra
 
 void ApngWriter::add(Image image) {
   require_image(image, "ApngWriter");
+  keep_clear(image);
   const bool is_first = added_ == 0;
   if (!is_first) {
     require(image.width == last_.width, "ApngWriter", "width", "that of the first image", image.width);
@@ -114,13 +128,14 @@ void ApngWriter::add(Image image) {
   }
   const Block rect = is_first ? Block{.x = 0, .y = 0, .width = image.width, .height = image.height}
                               : changed_rect(last_, image);
-  const Bytes png = encode_png(is_first ? image : cropped(image, rect));
+  const Bytes png = encode_png(is_first ? image : changes(last_, image, rect));
   Bytes chunks, data;
   if (is_first) {
     chunks.assign(png.begin(), png.begin() + header_end);
     append_number(data, static_cast<std::uint32_t>(frames_));
     append_number(data, 0);  // repeats for ever
     append_chunk(chunks, "acTL", data);
+    append_chunk(chunks, "tRNS", Bytes{0, unchanged[0], 0, unchanged[1], 0, unchanged[2]});
     data.clear();
   }
   append_chunk(chunks, "fcTL", frame_control(sequence_number_++, rect, hundredths_));

@@ -41,9 +41,9 @@ class FrameWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// An animated PNG that shows exactly the given pixels and repeats for ever. Only the rectangle that changed
-/// is stored of every frame, and written at once: however long the film, memory holds one frame. A viewer
-/// that knows no animation shows the first.
+/// An animated PNG that shows exactly the given pixels and repeats for ever; one green, #03FD02, becomes one
+/// level bluer. Only the pixels that changed are stored of every frame, and written at once: however long the
+/// film, memory holds one frame. A viewer that knows no animation shows the first.
 class ApngWriter {
  public:
   /// `frames`: as many as add() is going to bring.

@@ -178,7 +178,8 @@ std::string answer_text(const WarmStart& all) {
 }  // namespace
 
 FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
-  return {{{theme.box2d.color, {10, 6}, Marker::square}, {theme.si.color, {}, Marker::circle}, theme.jacobi}};
+  const List<SeriesStyle> neutral = render::neutral_styles(theme);
+  return {{neutral[1], theme.si, neutral[2]}};  // all are SI: the warm one is what is meant by it
 }
 
 List<Shot> start_shots(const WarmStart& all) {

@@ -183,8 +183,8 @@ std::string method_name(Method method, double omega) {
 
 SeriesStyle style_of(const Theme& theme, Method method) {
   if (method == Method::plain) return theme.jacobi;
-  if (method == Method::damped) return {theme.pgs.color, {12, 5}, Marker::circle};
-  if (method == Method::split) return {theme.box2d.color, {}, Marker::triangle};
+  if (method == Method::damped) return render::style_of_solver(theme, "jacobi-damped");
+  if (method == Method::split) return render::style_of_solver(theme, "jacobi-split");
   return theme.si;
 }
 

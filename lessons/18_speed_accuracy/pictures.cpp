@@ -139,12 +139,10 @@ std::string answer_text(const CostRun& run) {
 
 }  // namespace
 
-// SOR has a colour of its own; PGS with momentum has that of PGS.
 SeriesStyle style_of(const Page& page, int curve) {
   if (curve == si_curve) return page.theme().si;
   if (curve == jacobi_curve) return page.theme().jacobi;
-  if (curve == sor_curve) return {page.theme().box2d.color, {}, Marker::circle};
-  return {page.theme().pgs.color, {2, 5}, Marker::triangle};
+  return render::style_of_solver(page.theme(), curve == sor_curve ? "sor" : "accelerated");
 }
 
 std::string short_name(const CostRun& run, int curve) {

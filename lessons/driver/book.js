@@ -79,6 +79,7 @@
       answer.tabIndex = -1;
       answer.focus();
     });
+    // On paper the answer begins a page of its own.
     window.addEventListener("beforeprint", () => { fold.open = true; });
   }
 
@@ -169,7 +170,10 @@
     for (const [address, title, heading, text, isFolded] of cairnSections) {
       const head = (title + " " + heading).toLowerCase();
       const body = text.toLowerCase();
-      if (!words.every((word) => head.includes(word) || body.includes(word))) continue;
+      // "warmstart" is found where "warm start" stands.
+      const inOne = (head + " " + body).replace(/[\s-]+/g, "");
+      const has = (word) => head.includes(word) || body.includes(word) || (word.length > 5 && inOne.includes(word));
+      if (!words.every(has)) continue;
       const isTerm = heading.toLowerCase() === words.join(" ") ? 1000 : 0;
       const score = words.reduce((sum, word) => sum + (head.includes(word) ? 20 : 0) + body.split(word).length, isTerm);
       found.push({ score, address, title: heading ? title + " · " + heading : title, text, isFolded });
@@ -177,12 +181,21 @@
     return found.sort((a, b) => b.score - a.score).slice(0, 30);
   }
   function setUpSearch(list) {
-    const query = new URLSearchParams(location.search).get("q") ?? "";
+    const field = document.querySelector(".search input");
+    field.value = new URLSearchParams(location.search).get("q") ?? "";
+    field.addEventListener("input", () => {
+      history.replaceState(null, "", "?q=" + encodeURIComponent(field.value));
+      showFound(list, field.value);
+    });
+    showFound(list, field.value);
+  }
+  function showFound(list, query) {
     const words = query.toLowerCase().split(/\s+/).filter(Boolean);
     const found = words.length > 0 ? search(words) : [];
-    document.querySelector(".search input").value = query;
+    list.replaceChildren();
+    const count = found.length === 1 ? "1 section" : `${found.length} sections`;
     document.querySelector(".found").textContent =
-      words.length === 0 ? "Type what you look for above." : `${found.length} sections with “${query}”`;
+      words.length === 0 ? "Type what you look for above." : `${count} with “${query}”`;
     for (const { address, title, text, isFolded } of found) {
       const item = list.appendChild(document.createElement("li"));
       const link = item.appendChild(document.createElement("a"));
@@ -195,6 +208,11 @@
     }
   }
 
+  // A symbol of a formula leads to what it means. MathML has no links that screen readers allow in it.
+  document.addEventListener("click", (event) => {
+    const symbol = event.target.closest("mi[data-symbol]");
+    if (symbol) location.href = symbol.dataset.symbol;
+  });
   applyTheme(kept("cairn-theme"));
   document.addEventListener("DOMContentLoaded", () => {
     setUpTheme();

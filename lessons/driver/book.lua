@@ -209,20 +209,34 @@ local handouts_begin = [[<article class="front">
 </article>
 ]]
 
--- Every lesson on one page without a fold, for paper.
+local function filled_answer(lesson, html)
+  if html == "" then return "" end
+  return "<article>\n<p class=\"kicker\">Answer of lesson " .. escaped(parts.numbered(lesson)) .. "</p>\n" ..
+    html .. "</article>\n"
+end
+
+-- What stands before and behind the fold of a lesson.
+local function parted(html)
+  local asked, behind = html:match("^(.-)<details class=\"fold\">.-</summary>(.*)</details>\n$")
+  if not asked then return html, "" end
+  return asked, behind
+end
+
+-- Every lesson on one page, for paper: first all questions, then all answers.
 local function handouts_page(bodies)
-  local list, all = "", ""
+  local list, all, answers = "", "", ""
   for _, lesson in ipairs(book.lessons) do
     list = list .. ("<li><a href=\"#%s\">%s</a><br>%s</li>\n"):format(
       lesson.page, escaped(lesson.title), escaped(lesson.idea))
     local stem = lesson.page:gsub("%..*", "-")
-    local html = bodies[lesson.page]:gsub("<details class=\"fold\">.-</summary>", "<div>")
-    html = html:gsub("</details>\n$", "</div>"):gsub(" id=\"", " id=\"" .. stem):gsub(" href=\"#", " href=\"#" .. stem)
-    all = all .. "<article id=\"" .. lesson.page .. "\">\n" .. html .. "</article>\n"
+    local html = bodies[lesson.page]:gsub(" id=\"", " id=\"" .. stem):gsub(" href=\"#", " href=\"#" .. stem)
+    local asked, behind = parted(html)
+    all = all .. "<article id=\"" .. lesson.page .. "\">\n" .. asked .. "</article>\n"
+    answers = answers .. filled_answer(lesson, behind)
   end
   return parts.page({
     title = "Cairn: handouts", description = "All lessons on one page, for print.", kind = "lesson handouts",
-    body = text.filled(handouts_begin, { list = list }) .. all,
+    body = text.filled(handouts_begin, { list = list }) .. all .. answers,
   })
 end
 

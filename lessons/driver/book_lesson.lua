@@ -56,7 +56,7 @@ end
 local frame_item = [[<li id="frame-{number}"><figure>{picture}
 <figcaption>
 <p><a href="#frame-{number}">Frame {number} of {all}</a>{state}</p>
-<details><summary>What it shows</summary><p>{alt}</p></details>
+<details><summary>What it shows</summary><p>{words}</p></details>
 </figcaption></figure></li>
 ]]
 local player_frame = [[<section class="player" aria-label="Frames">
@@ -85,8 +85,8 @@ local function player(lesson)
   local items = ""
   for _, frame in ipairs(lesson.frames) do
     items = items .. filled(frame_item, {
-      number = frame.frame, picture = parts.picture(lesson, frame), all = all, alt = escaped(frame.alt),
-      state = frame.state ~= "" and " · " .. escaped(frame.state) or "",
+      number = frame.frame, picture = parts.picture(lesson, frame), all = all, words = (text.prose(frame.alt)),
+      state = frame.state ~= "" and " · " .. text.prose(frame.state) or "",
     })
   end
   local note = shown < all and filled(others_note, { shown = shown, all = all, number = lesson.number }) or ""
@@ -156,7 +156,7 @@ function parts.lesson_body(lesson)
     cover = parts.cover_figure(lesson), files = { ["exercise.cpp"] = "#exercise.cpp" },
   }))
   html = "<p class=\"kicker\">" .. escaped(lesson.paper) .. "</p>\n" ..
-    html:gsub("</h1>", function(tag) return tag .. "\n<p class=\"idea\">" .. escaped(lesson.idea) .. "</p>" end, 1)
+    html:gsub("</h1>", function(tag) return tag .. "\n<p class=\"idea\">" .. text.prose(lesson.idea) .. "</p>" end, 1)
   html = with_addition(html, "What to look at", "The frames", player(lesson), true)
   html = with_addition(html, "Run it", "What it prints", console(lesson))
   html = with_addition(html, "Your turn", "The exercise", exercise(lesson))

@@ -27,7 +27,8 @@ fs::path lesson_out(const Program& program, const Workshop& shop, const std::str
 }
 
 ProcessResult run_in_theme(const Program& program, const Workshop& shop, const std::string& theme) {
-  Words command = {program.path.string(), "--color", "never", "--progress", "never", "--size", "large"};
+  Words command = {program.path.string(), "--checks", "--color", "never",
+                   "--progress",          "never",    "--size",  "large"};
   command.insert(command.end(), shop.flags.begin(), shop.flags.end());
   command.insert(command.end(), {"--theme", theme, "--out", lesson_out(program, shop, theme).string()});
   const ProcessResult result = run_quietly(command);

@@ -39,7 +39,7 @@ local function math(tex, kind, places)
   inside = inside:gsub("<mi>Δ</mi><mi>(%a)</mi>", "<mi>Δ%1</mi>")
   inside = inside:gsub("<mi>([^<]*)</mi>", function(name)
     local address = places.symbols[name]
-    return address and ("<mi><a href=\"%s\" tabindex=\"-1\">%s</a></mi>"):format(address, name)
+    return address and ("<mi data-symbol=\"%s\">%s</mi>"):format(address, name)  -- book.js follows it
   end)
   if kind == "DisplayMath" then return "<math displaystyle=\"true\">" .. inside .. "</math>" end
   return "<math>" .. inside:gsub("stretchy=\"true\"", "stretchy=\"false\"") .. "</math>"
@@ -156,6 +156,21 @@ local function block_filter_for(places)
   }
 end
 
+-- Prose as HTML, its subscripts set: one letter and what stands behind its _, such as e_i, λ_max or s_{n+1}. Then
+-- whether there were any.
+function text.prose(words)
+  local html = text.escaped(words)
+  local found = 0
+  for _, letter in ipairs({ "%f[%a](%a)", "([\xCC-\xCF][\x80-\xBF])" }) do
+    for _, below in ipairs({ "{([^{}]*)}", "(%w+)" }) do
+      local count
+      html, count = html:gsub(letter .. "_" .. below, "%1<sub>%2</sub>")
+      found = found + count
+    end
+  end
+  return html, found > 0
+end
+
 -- For what is left once some paragraphs have become blocks.
 local function inline_filter_for(places)
   return {
@@ -164,6 +179,10 @@ local function inline_filter_for(places)
       return link.target == "" and link.content or link
     end,
     Math = function(tex) return pandoc.RawInline("html", math(tex.text, tex.mathtype, places)) end,
+    Str = function(str)
+      local html, has_any = text.prose(str.text)
+      return has_any and pandoc.RawInline("html", html) or nil
+    end,
   }
 end
 
@@ -242,7 +261,7 @@ end
 -- A formula that a program prints, such as "v₂ = v₁ + M⁻¹ Jᵀ λ Δt", as MathML; words as they are.
 local scripts = { ["⁻¹"] = "^{-1}", ["ᵀ"] = "^T", ["₁"] = "_1", ["₂"] = "_2" }
 function text.typeset(words, places)
-  if words:find("%l%l%l") then return text.escaped(words) end
+  if words:find("%l%l%l") then return (text.prose(words)) end
   for from, to in pairs(scripts) do words = words:gsub(from, to) end
   words = words:gsub("%(([^()]*)%) / %(([^()]*)%)", "\\frac{%1}{%2}"):gsub("%(([^()]*)%) / (Δt)", "\\frac{%1}{%2}")
   words = words:gsub("−([^()=]+) / (Δt)$", "-\\frac{%1}{%2}")

@@ -108,8 +108,9 @@ int run_all(const Context& context, const List<std::string>& flags) {
     const Outcome outcome = run_one_of_many(program, flags);
     progress.clear();
     console.result(fmt::format("{}  {} {}", two_digits(program.number),
-                               padded(console.spelt(program.card.title), 32),
+                               padded(console.spelt(program.card.title), 31),
                                outcome_text(outcome, console)));
+    console.flush();
     if (outcome.code != 0) {
       for (const std::string& line : outcome.complaints) console.result("      " + line);
     }
@@ -118,8 +119,9 @@ int run_all(const Context& context, const List<std::string>& flags) {
     pictures += outcome.pictures;
   }
   if (pictures > 0) {
-    console.narrate(fmt::format("{} pictures: out/{}/ to out/{}/", pictures,
-                                programs.front().name.substr(0, 8), programs.back().name.substr(0, 8)));
+    console.narrate(fmt::format("{} picture{}: out/{}/index.html to out/{}/index.html", pictures,
+                                pictures == 1 ? "" : "s", programs.front().name.substr(0, 8),
+                                programs.back().name.substr(0, 8)));
   }
   console.narrate(
       "One lesson with its text: bash lessons/run 6     what there is: bash lessons/run list     more: "
@@ -131,13 +133,14 @@ int run_all(const Context& context, const List<std::string>& flags) {
 int list(const Context& context) {
   Console console(context.settings);
   const ProgressNotes notes = read_progress(context.progress_file);
+  const int width = std::min(list_width, console.width());
   for (const Program& program : context.programs) {
     const auto note = notes.find(program.number);
     const std::string done =
         note == notes.end() ? "" : console.colored("   done " + note->second, Color::good);
     const std::string title = two_digits(program.number) + "  " + console.spelt(program.card.title);
     console.result(console.colored(title, Color::bold) + done);
-    console.result("    " + wrapped(console.spelt(program.card.idea), list_width, 4));
+    console.result("    " + wrapped(console.spelt(program.card.idea), width - 4, 4));
   }
   return 0;
 }

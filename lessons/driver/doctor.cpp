@@ -34,11 +34,20 @@ Bodies      dark outline, pale fill, number        a body that moves
             dot, larger dot                        contact point, new contact point
             ring                                   joint
 Curves      blue, solid, circle                    PGS (projected Gauss-Seidel)
+            blue, dotted, triangle                 accelerated: PGS with momentum
             ochre, dashed, square                  SI (sequential impulses)
+            ochre, dash-dot, diamond               block; of its points: block-contact
+            ochre, dotted, circle                  wide
+            ochre, solid, triangle                 SOR
+            plum, dotted, diamond                  Jacobi
+            plum, long dashes, square              damped Jacobi
+            plum, solid, triangle                  split Jacobi
             green, dash-dot, triangle              Box2D
-            plum, dotted, diamond                  Jacobi, or another
+            text colour, dash-dot-dot, square      newton
             thin, text colour, tick                exact
-Numbers     heat map, blue to orange               negative to positive; the value stands in the cell
+            grey, any dash and marker              no solver: settings of one, and what is measured
+            pale ochre area                        block, in the map of settings
+Numbers     heat map, blue to red                  negative to positive; the value stands in the cell
             line of ticks at the bottom            the frames of the sequence; the dot is this one
 )";
 
@@ -92,7 +101,7 @@ int doctor(const Context& context) {
 
 int legend(const Context& context) {
   Console console(context.settings);
-  console.ask(legend_text);
+  console.result(legend_text);
   return 0;
 }
 

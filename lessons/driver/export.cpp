@@ -27,14 +27,18 @@ constexpr const char* export_help =
     R"(lessons export N|all [flags]: pictures for documents, and their alt texts beside them
 
   -o, --out DIR             the folder (out/export)
-  --frames WHICH            key (at most 12), all, cover, N, A:B or A:B:STEP (cover)
+  --frames WHICH            key (at most 12), all, cover, N, A:B or A:B:STEP (films all, else cover)
   --theme light|dark|both   (both)
   --scale X                 1 is 1280 x 720 px, from 0.75 to 3 (1)
-  --format png|svg|apng|gif apng and gif: one film of all frames; gif needs the program ffmpeg (png)
+  --format png|svg|apng|gif|webp|mp4
+                            the last four: one film; gif, webp and mp4 need the program ffmpeg (png)
+  --fps X                   frames a second of a film, from 0.1 to 30 (1)
   --panel NAME              only the panel that has NAME in its title
   --transparent             no background; for png and svg
 Other flags are the lesson's own, such as --bodies 10.
-Files: 06_sequential_impulses_0007_light.png is frame 7, and 06_sequential_impulses_0007.txt says what it shows.
+Files: 06_sequential_impulses_0007_light.png is frame 7, and 06_sequential_impulses_0007.txt says what it
+shows. A film has no number in its name, and its captions beside it: 06_sequential_impulses.vtt.
+Thirty frames are about 1 MB with --scale 0.75: only pixels that change are kept.
 )";
 
 /// What was asked for wrongly: one line for people.
@@ -46,15 +50,18 @@ struct Order {
   fs::path out = "out/export";
   Words themes = {"light", "dark"};
   std::string format = "png";
-  Words flags = {"--frames", "cover"};  // of the lessons
-  Words complaints = {};                // of lessons whose own checks failed
+  double fps = 1;
+  Words flags = {};       // of the lessons
+  Words complaints = {};  // of lessons whose own checks failed
 };
 
-double scale_of(const std::string& text) {
-  const std::optional<double> scale = parse_number(text);
-  if (!scale || !(*scale >= 0.75 && *scale <= 3))
-    throw ExportError("export: --scale must be a number from 0.75 to 3, got " + text);
-  return *scale;
+bool is_film(const Order& order) { return order.format != "png" && order.format != "svg"; }
+
+double number_of(const std::string& flag, double least, double most, const std::string& text) {
+  const std::optional<double> number = parse_number(text);
+  if (number && *number >= least && *number <= most) return *number;
+  throw ExportError(
+      fmt::format("export: {} must be a number from {} to {}, got {}", flag, least, most, text));
 }
 
 std::string one_of(const std::string& flag, const Words& words, const std::string& text) {
@@ -77,7 +84,7 @@ std::string complaints_in(const std::string& output) {
 /// Takes the words that concern the export; the others are for the lessons.
 Order order_of(const Words& words) {
   Order order;
-  const Words known = {"--out", "-o", "--theme", "--scale", "--format"};
+  const Words known = {"--out", "-o", "--theme", "--scale", "--format", "--fps"};
   for (int i = 0; i < words.size(); ++i) {
     const std::size_t sign = words[i].rfind("--", 0) == 0 ? words[i].find('=') : std::string::npos;
     const std::string flag = words[i].substr(0, sign);
@@ -90,12 +97,14 @@ Order order_of(const Words& words) {
     const std::string value = sign == std::string::npos ? words[++i] : words[i].substr(sign + 1);
     if (flag == "--out" || flag == "-o") order.out = value;
     if (flag == "--theme" && one_of(flag, {"light", "dark", "both"}, value) != "both") order.themes = {value};
-    if (flag == "--format") order.format = one_of(flag, {"png", "svg", "apng", "gif"}, value);
+    if (flag == "--format") order.format = one_of(flag, {"png", "svg", "apng", "gif", "webp", "mp4"}, value);
+    if (flag == "--fps") order.fps = number_of(flag, 0.1, 30, value);
     if (flag != "--scale") continue;
-    const double scale = scale_of(value);
+    const double scale = number_of(flag, 0.75, 3, value);
     order.flags.insert(order.flags.end(),
                        {"--size", fmt::format("{}x{}", std::lround(1280 * scale), std::lround(720 * scale))});
   }
+  order.flags.insert(order.flags.begin(), {"--frames", is_film(order) ? "all" : "cover"});
   return order;
 }
 
@@ -103,8 +112,9 @@ Order order_of(const Words& words) {
 nlohmann::json draw(Order& order, const Program& program, const std::string& theme, const fs::path& work) {
   Words command = {program.path.string(), "-q", "--color", "never", "--progress", "never"};
   command.insert(command.end(), order.flags.begin(), order.flags.end());
-  const std::string drawn = order.format == "gif" ? "png" : order.format;
-  command.insert(command.end(), {"--format", drawn, "--theme", theme, "--out", work.string()});
+  const bool is_drawn = !is_film(order) || order.format == "apng";
+  command.insert(command.end(), {"--format", is_drawn ? order.format : "png", "--fps",
+                                 fmt::format("{:g}", order.fps), "--theme", theme, "--out", work.string()});
   const ProcessResult result = run_quietly(command);
   require_uninterrupted();
   if (result.code > 1) throw ProgramFailed(complaints_in(result.output), result.code);
@@ -114,18 +124,49 @@ nlohmann::json draw(Order& order, const Program& program, const std::string& the
   return nlohmann::json::parse(stream).at("frames");
 }
 
-/// One GIF of the pictures in a folder, with a palette of its own.
-void make_gif(const fs::path& work, const std::string& stem, const fs::path& target) {
-  const fs::path made = work / "film.gif";
-  const ProcessResult result =
-      run_quietly({"ffmpeg", "-y", "-framerate", "1", "-i", (work / (stem + "_%04d.png")).string(), "-vf",
-                   "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop", "0",
-                   made.string()});
+/// What ffmpeg is to do: a GIF has a palette of its own, and an MP4 what browsers play.
+Words encoding_of(const std::string& format) {
+  if (format == "mp4")
+    return {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2"};
+  if (format == "webp") return {"-c:v", "libwebp_anim", "-lossless", "1", "-loop", "0"};
+  return {"-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop", "0"};
+}
+
+std::string needs(const std::string& format) {
+  return "--format " + format + " needs the program ffmpeg (apt-get install ffmpeg); apng needs none";
+}
+
+/// One film of the pictures in a folder.
+void encode(const Order& order, const fs::path& work, const std::string& stem, const fs::path& target) {
+  const fs::path made = work / ("film." + order.format);
+  Words command = {"ffmpeg",     "-y",
+                   "-framerate", fmt::format("{:g}", order.fps),
+                   "-i",         (work / (stem + "_%04d.png")).string()};
+  const Words encoding = encoding_of(order.format);
+  command.insert(command.end(), encoding.begin(), encoding.end());
+  command.push_back(made.string());
+  const ProcessResult result = run_quietly(command);
   require_uninterrupted();
-  if (result.code != 0)
-    throw WriteError("cannot write " + target.string() +
-                     ": --format gif needs the program ffmpeg (apt-get install ffmpeg); apng needs none");
+  if (result.code != 0) throw WriteError("cannot write " + target.string() + ": " + needs(order.format));
   move_to(made, target);
+}
+
+/// "00:01:05.250"
+std::string film_time(double seconds) {
+  const auto thousandths = std::lround(1000 * seconds);
+  return fmt::format("{:02}:{:02}:{:02}.{:03}", thousandths / 3600000, thousandths / 60000 % 60,
+                     thousandths / 1000 % 60, thousandths % 1000);
+}
+
+/// What each frame shows, for as long as it is seen (WebVTT).
+std::string captions(const nlohmann::json& frames, double fps) {
+  std::string text = "WEBVTT\n";
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto at = static_cast<double>(i);
+    text += fmt::format("\n{} --> {}\n{}\n", film_time(at / fps), film_time((at + 1) / fps),
+                        frames[i].at("alt").get<std::string>());
+  }
+  return text;
 }
 
 /// The pictures of one lesson in one theme. Returns how many files there are.
@@ -134,11 +175,10 @@ int export_one(Order& order, const Program& program, const std::string& theme) {
   const WorkFolder folder(order.out);
   const fs::path work = folder.path / "runs";
   const nlohmann::json frames = draw(order, program, theme, work);
-  const bool is_film = order.format == "apng" || order.format == "gif";
   std::string alt;
   for (const auto& frame : frames) {
     const std::string file = frame.at("file"), text = frame.at("alt");
-    if (is_film) {
+    if (is_film(order)) {
       alt += fmt::format("{}. {}\n", frame.at("frame").get<int>(), text);
       continue;
     }
@@ -146,12 +186,17 @@ int export_one(Order& order, const Program& program, const std::string& theme) {
     move_to(work / file, order.out / (numbered + "_" + theme + fs::path(file).extension().string()));
     write_whole_file(order.out / (numbered + ".txt"), text + "\n");
   }
-  if (!is_film) return static_cast<int>(frames.size());
+  if (!is_film(order)) return static_cast<int>(frames.size());
   const std::string stem = "l" + two_digits(program.number);
-  const fs::path film = order.out / (name + "_" + theme + "." + order.format);
-  if (order.format == "gif") make_gif(work, stem, film);
-  if (order.format == "apng") move_to(work / (stem + ".apng"), film);
+  const std::string kind = order.format == "apng" ? "png" : order.format;
+  const fs::path film = order.out / (name + "_" + theme + "." + kind);
+  if (order.format == "apng") {
+    move_to(work / (stem + ".png"), film);
+  } else {
+    encode(order, work, stem, film);
+  }
   write_whole_file(order.out / (name + ".txt"), alt);
+  write_whole_file(order.out / (name + ".vtt"), captions(frames, order.fps));
   return 1;
 }
 
@@ -167,6 +212,9 @@ List<Program> wanted_programs(const Context& context, const Words& words) {
 int export_all(const Context& context, const Words& words) {
   const List<Program> programs = wanted_programs(context, words);
   Order order = order_of({words.begin() + 1, words.end()});
+  const bool has_encoder =
+      !is_film(order) || order.format == "apng" || run_quietly({"ffmpeg", "-version"}).code == 0;
+  if (!has_encoder) throw WriteError(needs(order.format));
   Progress progress(context.settings, "lessons", programs.size());
   int files = 0;
   for (int i = 0; i < programs.size(); ++i) {
@@ -181,7 +229,9 @@ int export_all(const Context& context, const Words& words) {
   }
   progress.clear();
   Console console(context.settings);
-  console.narrate(fmt::format("{} pictures with their alt texts: {}", files, order.out.string()));
+  console.narrate(fmt::format("{} {}{} with what {} show{}: {}", files, is_film(order) ? "film" : "picture",
+                              files == 1 ? "" : "s", files == 1 ? "it" : "they", files == 1 ? "s" : "",
+                              order.out.string()));
   for (const std::string& complaint : order.complaints) console.warn(complaint);
   return order.complaints.empty() ? 0 : 1;
 }

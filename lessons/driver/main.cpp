@@ -9,6 +9,7 @@
 
 #include "lessons/driver/commands.hpp"
 #include "lessons/driver/process.hpp"
+#include "lessons/kit/fitting.hpp"
 #include "lessons/kit/output.hpp"
 #include "lessons/kit/words.hpp"
 #include <cairn/math/list.hpp>
@@ -24,7 +25,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
 
   bash lessons/run             every lesson: one line each, pictures in out/
   bash lessons/run next        the first lesson that you have not passed
-  bash lessons/run 6           lesson 6 with its text; flags follow: 6 --bodies 10 --predict
+  bash lessons/run 6           lesson 6: it asks, then shows; flags follow: 6 --bodies 10
   bash lessons/run 6 --help    the flags of lesson 6
   bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
   bash lessons/run solver 4    grades stage 4 of your solver; 4 --begin writes its start, 4 --film draws it
@@ -161,7 +162,7 @@ int drive(int argc, char** argv) {
   take_console_flags(words, context.settings);
   const std::string word = words.empty() ? "run" : words.front();
   if (word == "-h" || word == "--help" || word == "help") {
-    fmt::print("{}", help_text);
+    fmt::print("{}", fitted(help_text, width_of_stream(stdout)));
     return 0;
   }
   if (word == "--version") {

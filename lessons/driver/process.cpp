@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "lessons/driver/interruption.hpp"
@@ -46,6 +47,7 @@ ProcessResult run_quietly(const List<std::string>& words) {
   if (child == 0) {
     dup2(ends[1], STDOUT_FILENO);
     dup2(ends[1], STDERR_FILENO);
+    unsetenv("COLUMNS");  // its lines are read by programs: they stay whole
     close(ends[0]);
     close(ends[1]);
     start(arguments);

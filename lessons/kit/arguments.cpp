@@ -20,7 +20,7 @@ const List<std::string> shared_vocabulary = {
 struct Texts {
   std::map<std::string, std::string> scene = {};
   std::string answer = {}, out = {}, frames = {}, size = {}, theme = {}, palette = {}, format = {},
-              panel = {};
+              panel = {}, fps = {};
   std::string csv = {}, json = {};
   std::string expect = {}, color = {}, progress = {}, hint = {};
   bool help = false, version = false, about = false, list_params = false, dry_run = false;
@@ -35,6 +35,7 @@ void add_texts(CLI::App& app, Texts& texts) {
   app.add_option("--palette", texts.palette);
   app.add_option("--format", texts.format);
   app.add_option("--panel", texts.panel);
+  app.add_option("--fps", texts.fps);
   app.add_option("--csv", texts.csv);
   app.add_option("--json", texts.json);
   app.add_option("--expect", texts.expect);
@@ -52,6 +53,7 @@ void add_flags(CLI::App& app, Texts& texts, Options& options) {
   app.add_flag("--transparent", options.transparent);
   app.add_flag("--predict", options.predict);
   app.add_flag("--check", options.check);
+  app.add_flag("--checks", options.checks);
   app.add_flag("--step", options.step);
   app.add_flag("-q,--quiet", options.console.quiet);
   app.add_flag("-v,--verbose", options.console.verbose);
@@ -175,6 +177,12 @@ void read_format(const LessonInfo& info, const CLI::App& app, const Texts& texts
     options.format = formats[read_word(info, "format", {"png", "svg", "apng"}, texts.format)];
   if (options.transparent && options.format == Options::Format::apng)
     refuse(info, "--transparent must come with --format png or svg, got apng");
+  if (app.count("--fps") > 0) {
+    const std::optional<double> fps = parse_number(texts.fps);
+    options.fps = fps.value_or(0);
+    if (options.fps < 0.1 || options.fps > 30)
+      refuse(info, "--fps must be a number from 0.1 to 30, got " + texts.fps);
+  }
   if (app.count("--panel") > 0 && texts.panel.empty()) refuse(info, "--panel must name a panel, got nothing");
   options.panel = texts.panel;
   if (options.transparent) options.picture_flags.push_back("--transparent");
@@ -206,7 +214,7 @@ void read_pictures(const LessonInfo& info, const CLI::App& app, const Texts& tex
   const List<std::pair<std::string, std::string>> given = {
       {"--out", texts.out},     {"--frames", texts.frames},   {"--size", texts.size},
       {"--theme", texts.theme}, {"--palette", texts.palette}, {"--format", texts.format},
-      {"--panel", texts.panel}};
+      {"--panel", texts.panel}, {"--fps", texts.fps}};
   for (const auto& [flag, text] : given) {
     if (app.count(flag) == 0) continue;
     options.picture_flags.push_back(flag);

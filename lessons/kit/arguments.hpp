@@ -28,7 +28,8 @@ struct Options {
 
   int hint = 1;
   bool predict = false;
-  bool check = false;  // claims only: no frames, no files
+  bool check = false;   // claims only: no frames, no files
+  bool checks = false;  // every claim, in place of their number
   bool step = false;
   std::optional<List<double>> answer = {};
 
@@ -40,6 +41,7 @@ struct Options {
   Theme theme = Theme::light;
   Palette palette = Palette::color;
   Format format = Format::png;
+  double fps = 1;            // of a film; so slow that each frame can be read
   std::string panel = {};    // of each frame only the panel with this in its title; "": all
   bool transparent = false;  // no background
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/kit/fitting.hpp"
 #include "lessons/kit/words.hpp"
 
 namespace cairn {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int value_column = 82;
 constexpr int value_width = 9;
+constexpr int verdict_width = 7;
 
 }  // namespace
 
@@ -49,9 +51,12 @@ Claim plain_claim(std::string_view text, bool holds, std::string_view shown) {
   return {.text = std::string(text), .shown = std::string(shown), .holds = holds, .value = holds ? 1.0 : 0.0};
 }
 
-std::string claim_line(const Claim& claim) {
-  const std::string text = "CHECK  " + claim.text + " ";
-  const int dots = std::max(2, value_column - 1 - display_width(text));
+std::string claim_line(const Claim& claim, int width) {
+  const int behind = std::max(value_width, display_width(claim.shown)) + 2 + verdict_width;
+  const int room = std::min(value_column - 1, width - behind);
+  const bool is_whole = width == unlimited;  // programs read it line by line
+  const std::string text = wrapped("CHECK  " + claim.text, is_whole ? width : room - 3, 7) + " ";
+  const int dots = std::max(2, room - display_width(text.substr(text.rfind('\n') + 1)));
   return text + repeated('.', dots) + " " + padded(claim.shown, value_width) + " ";
 }
 

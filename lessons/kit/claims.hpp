@@ -22,8 +22,9 @@ Claim small_claim(std::string_view text, double value, double limit);
 Claim equal_claim(std::string_view text, double value, double expected, double tolerance);
 Claim plain_claim(std::string_view text, bool holds, std::string_view shown);
 
-/// "CHECK  text ........ value  " with the value in its column; the verdict is written behind it.
-std::string claim_line(const Claim& claim);
+/// "CHECK  text ........ value  " with the value in its column, where `width` leaves room for that; the
+/// verdict is written behind it.
+std::string claim_line(const Claim& claim, int width);
 
 /// Four significant digits for people: "0.7500", "1.1e-17", "1234".
 std::string short_number(double value);

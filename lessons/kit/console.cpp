@@ -2,6 +2,7 @@
 #include "lessons/kit/console.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <iostream>
 #include <utility>
 
+#include "lessons/kit/fitting.hpp"
 #include "lessons/kit/words.hpp"
 #include <cairn/math/printable.hpp>
 
@@ -24,6 +26,16 @@ std::string environment(const char* name) {
 
 bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
+int width_of_stream(std::FILE* stream) {
+  constexpr double least = 40;
+  const std::optional<double> columns = parse_number(environment("COLUMNS"));
+  if (columns && *columns >= 1) return static_cast<int>(std::clamp(*columns, least, 1e4));
+  if (!is_terminal(stream)) return unlimited;
+  winsize size = {};
+  if (ioctl(fileno(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return std::max(static_cast<int>(least), int{size.ws_col});
+}
+
 bool colors_wanted(const ConsoleSettings& settings, bool is_terminal) {
   if (settings.plain || settings.color == When::never) return false;
   if (settings.color == When::always) return true;
@@ -33,18 +45,32 @@ bool colors_wanted(const ConsoleSettings& settings, bool is_terminal) {
 Console::Console(const ConsoleSettings& settings)
     : settings_(settings), stream_(settings.narrates_on_stderr ? stderr : stdout) {
   has_colors_ = colors_wanted(settings_, is_terminal(stream_));
+  width_ = width_of_stream(stream_);
 }
 
-void Console::write(std::string_view line) {
-  std::fwrite(line.data(), 1, line.size(), stream_);
-  std::fputc('\n', stream_);
+void Console::write(std::string_view line, Color color) {
+  const bool is_set = width_ < unlimited || settings_.plain;
+  if (is_set && color == Color::none && has_cells(line) && line.find('\n') == std::string_view::npos) {
+    table_ += std::string(line) + "\n";
+    return;
+  }
+  flush();
+  std::string text = is_set ? fitted(line, width_, settings_.plain) : std::string(line);
+  if (text.ends_with('\n')) text.pop_back();
+  text = colored(text, color) + "\n";
+  std::fwrite(text.data(), 1, text.size(), stream_);
+}
+
+void Console::flush() {
+  const std::string text = fitted(std::exchange(table_, ""), width_, settings_.plain);
+  std::fwrite(text.data(), 1, text.size(), stream_);
 }
 
 void Console::narrate(std::string_view line, Color color) {
-  if (!settings_.quiet) write(colored(spelt(line), color));
+  if (!settings_.quiet) write(printable(line), color);
 }
 
-void Console::result(std::string_view line) { write(line); }
+void Console::result(std::string_view line) { write(line, Color::none); }
 
 std::string Console::colored(std::string_view text, Color color) const {
   const char* code = color == Color::bold   ? "1"
@@ -61,18 +87,21 @@ std::string Console::spelt(std::string_view text) const {
 }
 
 void Console::ask(std::string_view question) {
+  flush();
   const std::string text = spelt(question);
   std::fwrite(text.data(), 1, text.size(), stream_);
   std::fflush(stream_);
 }
 
-void Console::warn(std::string_view line) const {
+void Console::warn(std::string_view line) {
+  flush();
   std::fflush(stdout);  // in the order of events, where both go to one terminal
-  const std::string text = spelt(line) + "\n";
+  const std::string text = fitted(spelt(line) + "\n", width_of_stream(stderr));
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 bool Console::wait() {
+  flush();
   std::fflush(stream_);
   std::string line;
   return static_cast<bool>(std::getline(std::cin, line));

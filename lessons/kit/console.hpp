@@ -24,17 +24,29 @@ bool colors_wanted(const ConsoleSettings& settings, bool is_terminal);
 
 bool is_terminal(std::FILE* stream);
 
+/// The columns that lines on this stream have to fit: COLUMNS if that is set, else those of the terminal.
+/// Lines in a file or a pipe are as long as they were written.
+int width_of_stream(std::FILE* stream);
+
 class Console {
  public:
   enum class Color { none, bold, good, bad, faint };
 
   explicit Console(const ConsoleSettings& settings);
+  ~Console() { flush(); }
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+  Console(Console&&) = default;
 
   const ConsoleSettings& settings() const { return settings_; }
-  /// Narration: one line, dropped when quiet.
+  /// The width that lines have to fit.
+  int width() const { return width_; }
+  /// Narration: one line, dropped when quiet. A line of a table waits for the others: see fitted().
   void narrate(std::string_view line, Color color = Color::none);
   /// A result: one line, never dropped.
   void result(std::string_view line);
+  /// Writes what waits.
+  void flush();
   /// The text as it is to be put into a line: coloured if colours are wanted.
   std::string colored(std::string_view text, Color color) const;
   /// The text as --plain wants it, and without what could command the terminal: see printable().
@@ -42,16 +54,18 @@ class Console {
   /// A question to the reader: no line end, and shown at once.
   void ask(std::string_view question);
   /// A warning or an error: one line on stderr.
-  void warn(std::string_view line) const;
+  void warn(std::string_view line);
   /// Waits for Enter. False at the end of the input.
   bool wait();
 
  private:
-  void write(std::string_view line);
+  void write(std::string_view line, Color color);
 
   ConsoleSettings settings_;
   std::FILE* stream_;
   bool has_colors_ = false;
+  int width_;
+  std::string table_ = {};  // lines that wait
 };
 
 /// A bar on stderr, from one second after it was made: quick runs show none.

@@ -59,7 +59,7 @@ List<std::string> earlier_frames(const fs::path& folder, const std::string& stem
     const std::string file = frame["file"];
     const std::string kind = fs::path(file).extension();
     const bool is_ours =
-        (file.rfind(stem + "_", 0) == 0 && (kind == ".png" || kind == ".svg")) || file == stem + ".apng";
+        (file.rfind(stem + "_", 0) == 0 && (kind == ".png" || kind == ".svg")) || file == stem + ".png";
     if (is_ours && file.find('/') == std::string::npos) files.push_back(file);
   }
   return files;
@@ -79,14 +79,14 @@ class FrameFiles {
   FrameFiles(const Options& options, render::Page& page, std::string stem, int count)
       : options_(options), maker_(options, page), stem_(std::move(stem)), pictures_(options.out, stem_) {
     if (options.format == Options::Format::apng)
-      film_.emplace(options.out / (stem_ + ".apng"), count, frames_per_second);
+      film_.emplace(options.out / (stem_ + ".png"), count, options.fps);
   }
 
   /// Draws the next frame and returns the name of the file that it will be in.
   std::string add(const std::function<void()>& draw, const std::string& alt) {
     if (film_) {
       film_->add(maker_.image(draw));
-      return stem_ + ".apng";
+      return stem_ + ".png";
     }
     const bool is_svg = options_.format == Options::Format::svg;
     if (!is_svg && !options_.transparent) return pictures_.add(maker_.image(draw)).filename().string();
@@ -101,8 +101,6 @@ class FrameFiles {
   }
 
  private:
-  static constexpr double frames_per_second = 1;  // time to read each
-
   const Options& options_;
   PictureMaker maker_;
   std::string stem_;
@@ -133,6 +131,7 @@ class FilmMaker {
     }
     remove_all_but(options_.out, earlier, written_);
     report_.pictures = wanted.size();
+    report_.index = index_.dump(2);
     report_.backend = page_.canvas().backend();
     return std::move(report_);
   }

@@ -14,6 +14,7 @@ namespace cairn {
 struct FilmReport {
   int pictures = 0;
   std::string backend = {};         // that drew them
+  std::string index = {};           // the text of frames.json
   List<std::string> findings = {};  // about the layout: "frame 3: ..."
 };
 

@@ -16,19 +16,22 @@ constexpr int help_width = 104;
 
 constexpr const char* common_help = R"(
 Pictures  -o, --out DIR             the folder ({0})
-          --frames WHICH            key (at most 12), all, none, cover, N, A:B or A:B:STEP; -1 is the last (key)
+          --frames WHICH            key (at most 12), all, none, cover, N, A:B or A:B:STEP;
+                                    -1 is the last (key)
           --size WHICH              small, medium, large or WIDTHxHEIGHT in px (medium)
           --theme light|dark        (light)
           --palette color|gray      gray for black-and-white print (color)
-          --format png|svg|apng     apng: one film of all frames, a second each (png)
+          --format png|svg|apng     apng: one film of these frames (png)
+          --fps X                   frames a second of a film, from 0.1 to 30 (1)
           --panel NAME              only the panel that has NAME in its title
           --transparent             no background; for png and svg
           --dry-run                 writes no file at all
 Data      --csv FILE|-              the lesson's numbers; - is stdout, and the text goes to stderr
           --json FILE|-             likewise
-Learning  --predict                 asks before it shows
-          --answer V[,V...]         the same from the command line; a wrong answer gives exit code 1
+Learning  --predict                 asks and waits, as on a terminal, wherever the answer comes from
+          --answer V[,V...]         the answer; a wrong one gives exit code 1
 {1}          --check                   the checks only: no pictures, no files
+          --checks                  shows every check; else one line says how many hold
           --step                    waits for Enter after every line and picture
           --about                   the idea, the equations, what to read
           --list-params             the scene flags as a table
@@ -36,7 +39,8 @@ Learning  --predict                 asks before it shows
 Console   -q, --quiet               the checks only
           -v, --verbose             more lines
           --plain                   ASCII: lambda for the Greek letter, no colour
-          --color WHEN, --progress WHEN     auto, always or never (auto; NO_COLOR is honoured)
+          --color WHEN              auto, always or never (auto; NO_COLOR is honoured)
+          --progress WHEN           likewise
           -h, --help, --version
 Exit: 0 all checks held, 1 a check failed, 2 bad usage, 3 cannot draw or write, 4 diverged, 77 skipped.
 )";
@@ -61,7 +65,7 @@ std::string examples(const LessonInfo& info) {
   const std::string name = typed_command(info);
   List<std::pair<std::string, std::string>> lines = {
       {name, "run it: text, and pictures in out/" + short_name(info) + "/"},
-      {name + " --predict", "think first"}};
+      {name + " --answer V", "with your guess"}};
   std::string scene = name;
   for (int i = 0; i < std::min(2, info.parameters.size()); ++i) {
     scene += " --" + info.parameters[i].flag + " " + example_value(info.parameters[i]);

@@ -27,6 +27,7 @@
 #include "render/draw.hpp"
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
+#include "render/solver_style.hpp"
 
 namespace cairn {
 

@@ -13,7 +13,10 @@
 #include "lessons/kit/arguments.hpp"
 #include "lessons/kit/claims.hpp"
 #include "lessons/kit/console.hpp"
+#include "lessons/kit/ending.hpp"
 #include "lessons/kit/film.hpp"
+#include "lessons/kit/fitting.hpp"
+#include "lessons/kit/frame_page.hpp"
 #include "lessons/kit/help.hpp"
 #include "lessons/kit/output.hpp"
 #include "lessons/kit/records.hpp"
@@ -42,65 +45,74 @@ struct Lesson::State {
   void print_end();
   void write_files();
   int exit_code() const;
+  /// Whether the reader is asked for a guess, and waited for.
+  bool asks() const;
+  /// Whether each claim has a line of its own, or only those that fail.
+  bool shows_claims() const;
 };
 
-namespace {
+static int page_width(const Console& console) { return std::min(104, console.width()); }
 
-constexpr int page_width = 104;
-
-/// The line in two parts, the second at the right edge.
-std::string spread(const std::string& left, const std::string& right) {
-  const int blanks = std::max(3, page_width - display_width(left) - display_width(right));
-  return right.empty() ? left : left + repeated(' ', blanks) + right;
+bool Lesson::State::asks() const {
+  const bool sees = is_terminal(stdin) && is_terminal(options.console.narrates_on_stderr ? stderr : stdout);
+  return options.predict || (sees && !options.console.quiet && !options.answer);
 }
 
-}  // namespace
+bool Lesson::State::shows_claims() const {
+  return options.checks || options.check || options.console.quiet || options.console.verbose;
+}
 
 void Lesson::State::claim(Claim claim) {
+  record.claims.push_back(claim);
+  if (claim.holds && !shows_claims()) return;
   const std::string verdict = claim.holds ? console.colored("ok", Console::Color::good)
                                           : console.colored("FAILED", Console::Color::bad);
   Claim spelt = claim;
   spelt.text = console.spelt(claim.text);
   spelt.shown = console.spelt(with_minus_signs(claim.shown));
-  console.result(claim_line(spelt) + verdict);
+  console.result(claim_line(spelt, console.width()) + verdict);
   if (!claim.holds && !claim.demand.empty()) {
     console.result("       must be " + claim.demand + ", is " + shortest(claim.value));
   }
-  record.claims.push_back(std::move(claim));
 }
 
 void Lesson::State::print_title() {
   const std::string title = fmt::format("Lesson {}  {}", two_digits(info.number), info.title);
-  console.narrate(spread(console.spelt(title), console.spelt(info.paper)), Console::Color::bold);
+  const int width = page_width(console);
+  console.narrate(spread(console.spelt(title), console.spelt(info.paper), width), Console::Color::bold);
   if (options.check) return;
   has_theory_to_tell = true;
-  if (!options.predict || info.question.empty()) print_theory();
+  if (!asks() || info.question.empty()) print_theory();
 }
 
 void Lesson::State::print_theory() {
   if (!std::exchange(has_theory_to_tell, false)) return;
-  console.narrate(wrapped("Idea: " + info.idea, page_width, 6));
+  console.narrate(wrapped("Idea: " + info.idea, page_width(console), 6));
   for (const std::string& equation : info.equations) console.narrate("  " + equation);
 }
 
 void Lesson::State::print_end() {
-  if (options.check) {
-    console.narrate(fmt::format("{} of {} checks held", holding(record.claims), record.claims.size()));
-    return;
+  if (options.check || (!shows_claims() && !record.claims.empty())) {
+    console.narrate(fmt::format("{} of {} checks held{}", holding(record.claims), record.claims.size(),
+                                options.check ? "" : "   (--checks shows them)"));
   }
+  if (options.check) return;
   if (record.film.pictures > 0) {
-    console.narrate(fmt::format("{} picture{}: {}/", record.film.pictures,
+    console.narrate(fmt::format("{} picture{}: {}", record.film.pictures,
                                 record.film.pictures == 1 ? "" : "s",
-                                (options.out / "").parent_path().string()));
+                                (options.out / "index.html").lexically_normal().string()));
   }
-  const std::string state = record.fingerprint.empty() ? "" : "     state " + record.fingerprint;
-  console.narrate("Again: " + command_line(info, options) + state);
+  const std::string again = "Again: " + command_line(info, options);
+  const bool is_folded = console.width() < unlimited;
+  const std::string state = record.fingerprint.empty() ? "" : (is_folded ? "\n       state " : "     state ");
+  console.narrate(folded_command(again, console.width()) + state + record.fingerprint);
   if (!info.next.empty()) console.narrate("Next:  " + info.next);
 }
 
 void Lesson::State::write_files() {
   const bool may_write = !options.dry_run && !options.check;
   if (may_write && record.film.pictures > 0) {
+    write_whole_file(options.out / "index.html", frame_page(info, record.film.index));
     if (table) write_whole_file(options.out / "rows.csv", csv_of(*table));
     write_whole_file(options.out / "run.json", run_json(info, options, record));
   }
@@ -154,18 +166,20 @@ void Lesson::detail(std::string_view line) {
 void Lesson::predict() {
   const Options& options = state_->options;
   if (options.check || state_->info.question.empty()) return;
-  const std::string hint = options.predict ? "" : "   (--answer V to be checked)";
-  state_->console.narrate(wrapped("PREDICT  " + state_->info.question + hint, page_width, 9),
+  const bool asks = state_->asks();
+  const std::string hint = asks ? "" : "   (--answer V to be checked)";
+  state_->console.narrate(wrapped("PREDICT  " + state_->info.question + hint, page_width(state_->console), 9),
                           Console::Color::bold);
   state_->guess = options.answer;
-  bool waits = options.predict && !options.answer && is_terminal(stdin);
+  bool waits = asks && !options.answer;
   while (waits) {
     state_->console.ask("Your guess (numbers between commas; Enter to see): ");
     std::string line;
     if (!std::getline(std::cin, line) || line.empty()) break;
     state_->guess = parse_numbers(line);
     waits = !state_->guess;
-    if (waits) state_->console.narrate("That is no number.");
+    if (waits)
+      state_->console.narrate("That is no number: a comma stands between numbers, a point before decimals.");
   }
   state_->print_theory();
 }
@@ -175,12 +189,13 @@ void Lesson::answer(const List<double>& right, double tolerance, std::string_vie
   const bool is_asked = !state_->info.question.empty();
   if (options.answer) state_->guess = options.answer;
   const std::string told = numbers_text(right) + "   " + std::string(explanation);
-  if (!state_->guess) return is_asked ? print(wrapped("ANSWER   " + told, page_width, 9)) : void();
+  Console& console = state_->console;
+  const int width = page_width(console);
+  if (!state_->guess) return is_asked ? print(wrapped("ANSWER   " + told, width, 9)) : void();
   const List<double>& guess = *state_->guess;
   const Judgement verdict =
       judged(guess, right, tolerance, is_asked ? state_->info.wrong : List<WrongGuess>());
-  Console& console = state_->console;
-  console.result(console.spelt(wrapped(verdict.words + told, page_width, 9)));
+  console.result(console.spelt(wrapped(verdict.words + told, width, 9)));
   // A guess at the prompt is free; an answer on the command line wants a verdict.
   if (options.answer && !verdict.is_right) state_->is_wrong = true;
 }
@@ -225,52 +240,14 @@ void Lesson::fingerprint(const List<double>& numbers) {
   state_->record.fingerprint = hexadecimal(fingerprint_of(numbers));
 }
 
-namespace {
-
-int complain(const std::string& name, int code, const std::string& message) {
-  std::fflush(stdout);
-  fmt::print(stderr, "{}{}\n", message.rfind(name, 0) == 0 ? "" : name + ": ",
-             excerpt(message, longest_message));
-  return code;
-}
-
-int finished(const LessonInfo& info, int code) {
-  if (output_is_written()) return code;
-  return complain(short_name(info), 3, "the output cannot be written");
-}
-
-/// Says why the run ended early, inside a handler. Returns the exit code.
-int explain_failure(const std::string& name) {
-  try {
-    throw;
-  } catch (const UsageError& error) {
-    return complain(name, 2, error.what());
-  } catch (const NoSuchFrame& error) {
-    return complain(name, 2, error.what());
-  } catch (const std::invalid_argument& error) {
-    return complain(name, 2, error.what());
-  } catch (const render::RenderError& error) {
-    return complain(name, 3, std::string(error.what()) + "; --frames none runs the lesson without pictures");
-  } catch (const WriteError& error) {
-    return complain(name, 3,
-                    std::string(error.what()) + "; -o names another folder, --frames none draws no pictures");
-  } catch (const Diverged& error) {
-    return complain(name, 4, std::string("the simulation diverged: ") + error.what());
-  } catch (const Skipped& error) {
-    return complain(name, 77, std::string("skipped: ") + error.what());
-  } catch (const std::exception& error) {
-    return complain(name, 1, std::string("a mistake in the lesson: ") + error.what());
-  }
-}
-
-}  // namespace
-
 int run_lesson(const LessonInfo& info, const std::function<void(Lesson&)>& lesson, int argc, char** argv) {
   try {
     Options options = read_arguments(info, argc, argv);
     if (options.request != Options::Request::run) {
       const std::string text = text_asked_for(info, options);
-      std::cout << (options.console.plain ? transliterated(text) : text) << std::flush;
+      const bool is_data = options.request == Options::Request::list_params;
+      const int width = is_data ? unlimited : width_of_stream(stdout);
+      std::cout << fitted(text, width, options.console.plain) << std::flush;
       return finished(info, 0);
     }
     const bool can_pause = is_terminal(stdin);
@@ -279,8 +256,8 @@ int run_lesson(const LessonInfo& info, const std::function<void(Lesson&)>& lesso
     }
     options.step = options.step && can_pause;
     const LessonInfo told = card_for(info, options);
-    const Console console(options.console);
-    Lesson run(std::make_unique<Lesson::State>(Lesson::State{told, std::move(options), console}));
+    Console console(options.console);
+    Lesson run(std::make_unique<Lesson::State>(Lesson::State{told, std::move(options), std::move(console)}));
     Lesson::State& state = *run.state_;
     state.print_title();
     if (state.options.step) state.console.narrate("Enter goes on.");
@@ -290,6 +267,7 @@ int run_lesson(const LessonInfo& info, const std::function<void(Lesson&)>& lesso
                      state.record.fingerprint == state.options.expect, state.record.fingerprint);
     }
     state.print_end();
+    state.console.flush();
     state.write_files();
     return finished(info, state.exit_code());
   } catch (...) {

@@ -41,7 +41,7 @@ class Lesson {
   void detail(std::string_view line);
   /// One of many: a line if it is among the first, which are always shown, else a detail.
   void print_if(bool is_first, std::string_view line) { is_first ? print(line) : detail(line); }
-  /// Asks the question of LessonInfo; waits for a guess with --predict on a terminal, and tells idea and
+  /// Asks the question of LessonInfo. Waits for a guess on a terminal, and with --predict, and tells idea and
   /// equations after it then. Silent where the reader has changed what the question is about.
   void predict();
   /// Compares the reader's guess or --answer with what the lesson has computed, and explains.

@@ -3,39 +3,14 @@
 
 #include <cmath>
 
+#include "render/solver_style.hpp"
 #include "render/text_layout.hpp"
 
 namespace cairn::sandbox {
-namespace {
-
-/// That of its family.
-render::SeriesStyle family_style(const std::string& solver, const render::Theme& theme) {
-  if (solver == "si") return theme.si;
-  if (solver == "box2d") return theme.box2d;
-  if (solver.rfind("jacobi", 0) == 0) return theme.jacobi;
-  if (solver.rfind("pgs", 0) == 0 || solver == "block") return theme.pgs;
-  return theme.exact;
-}
-
-}  // namespace
 
 List<render::SeriesStyle> solver_styles(const List<std::string>& solvers, const render::Theme& theme) {
-  List<render::SeriesStyle> free = {theme.exact, theme.jacobi, theme.pgs, theme.si, theme.box2d};
-  const auto take = [&free](const render::SeriesStyle& style) {
-    const int before = free.size();
-    erase_if(free, [&](const auto& other) { return other.marker == style.marker; });
-    return free.size() < before;
-  };
   List<render::SeriesStyle> styles;
-  List<int> without;  // one of their own
-  for (int i = 0; i < solvers.size(); ++i) {
-    styles.push_back(family_style(solvers[i], theme));
-    if (!take(styles.back())) without.push_back(i);
-  }
-  for (const int i : without) {
-    styles[i] = free.front();
-    take(styles[i]);
-  }
+  for (const std::string& solver : solvers) styles.push_back(render::style_of_solver(theme, solver));
   return styles;
 }
 

@@ -61,7 +61,7 @@ std::string draw_tracks(const TrackChart& chart, const render::Theme& theme, boo
 
 // What several of them are made of.
 
-/// The looks of at most 5 solvers' curves: their own, or what is left where two have the same.
+/// The looks of solvers' curves.
 List<render::SeriesStyle> solver_styles(const List<std::string>& solvers, const render::Theme& theme);
 /// The name beside a curve.
 std::string solver_label(const std::string& solver);

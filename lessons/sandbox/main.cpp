@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "lessons/kit/fitting.hpp"
 #include "lessons/kit/output.hpp"
 #include "lessons/kit/words.hpp"
 #include "lessons/sandbox/interrupt.hpp"
@@ -38,7 +39,7 @@ int refuse_verb(const std::string& word) {
 int act(const List<std::string>& all) {
   const std::string word = all.empty() ? "--help" : all.front();
   if (word == "-h" || word == "--help" || word == "help") {
-    fmt::print("{}", help_text());
+    fmt::print("{}", fitted(help_text(), width_of_stream(stdout)));
     return all.empty() ? bad_usage : all_well;
   }
   if (word == "--version") {
@@ -50,7 +51,7 @@ int act(const List<std::string>& all) {
   if (verb == verbs().end()) return refuse_verb(word);
   const Words words = read_words(*verb, {all.begin() + 1, all.end()});
   if (words.has("help")) {
-    fmt::print("{}", help_text(*verb));
+    fmt::print("{}", fitted(help_text(*verb), width_of_stream(stdout)));
     return all_well;
   }
   Console console(words.console);

@@ -87,7 +87,9 @@ List<MapPanel> map_panels(const MapTable& table) {
   return panels;
 }
 
+/// Areas have neither dash nor marker: what shares a colour with SI is paler.
 render::Color solver_color(const render::Page& page, const std::string& solver) {
+  if (solver == "block") return page.theme().active_b;
   const List<render::SeriesStyle> styles = solver_styles(map_solvers, page.theme());
   return styles[static_cast<int>(std::find(map_solvers.begin(), map_solvers.end(), solver) -
                                  map_solvers.begin())]

@@ -11,6 +11,7 @@
 #include <cairn/measure/violation.hpp>
 #include "render/draw.hpp"
 #include "render/lint.hpp"
+#include "render/solver_style.hpp"
 #include "render/text_layout.hpp"
 
 namespace cairn::sandbox {
@@ -26,14 +27,6 @@ constexpr double arrow_room = 0.12;   // of the view's extent, on every side
 
 render::Theme film_theme(const FilmLook& look) {
   return look.dark ? render::dark_theme() : render::light_theme();
-}
-
-/// Each panel in a look of its own, the known solvers in theirs.
-render::SeriesStyle panel_style(const std::string& solver, const render::Theme& theme) {
-  if (solver == "si") return theme.si;
-  if (solver == "box2d") return theme.box2d;
-  if (solver.rfind("jacobi", 0) == 0) return theme.jacobi;
-  return solver.rfind("pgs", 0) == 0 || solver.rfind("block", 0) == 0 ? theme.pgs : theme.exact;
 }
 
 /// The 95th of a hundred: one jolt must not make all other arrows dots.
@@ -191,7 +184,7 @@ void SceneFilm::draw_panel(const SceneRun& run, int frame, const Rect& rect) {
                       {.fill = theme.panel, .outline = theme.frame_line, .outline_width = 1});
   if (!is_alone) {
     page_.canvas().rect({rect.x, rect.y, rect.width, bar_height},
-                        {.fill = panel_style(run.setting.solver, theme).color});
+                        {.fill = render::style_of_solver(theme, run.setting.solver).color});
   }
   const double top = is_alone ? 1 : bar_height;
   const bool is_over = frame >= run.frames.size();

@@ -5,6 +5,7 @@
 
 #include "lessons/sandbox/charts.hpp"
 #include "render/plot.hpp"
+#include "render/solver_style.hpp"
 #include "render/svg.hpp"
 
 namespace cairn::sandbox {
@@ -33,8 +34,7 @@ List<List<const Track*>> panels_of(const List<Track>& tracks) {
 
 render::Plot plot_of(const List<const Track*>& tracks, const List<double>& times,
                      const render::Theme& theme) {
-  const render::SeriesStyle styles[most_curves] = {
-      {.color = theme.si.color, .marker = theme.si.marker}, theme.exact, theme.jacobi, theme.box2d};
+  const List<render::SeriesStyle> styles = render::neutral_styles(theme);
   const std::string unit = tracks.front()->unit.empty() ? "" : " (" + tracks.front()->unit + ")";
   render::Plot plot{.x = {.title = "t (s)"}};
   if (tracks.size() == 1) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "render/plot.hpp"
+#include "render/solver_style.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -48,14 +49,16 @@ render::Plot plot_of(const TradeChart& chart, const render::Theme& theme) {
     plot.cloud = places_of(chart.points);
     plot.front = places_of(front_of(chart.points));
   }
-  const List<render::SeriesStyle> styles = solver_styles(chart.curves, theme);
+  const List<render::SeriesStyle> styles =  // of scenes, where it is of sweeps
+      chart.is_of_sweeps ? render::neutral_styles(theme) : solver_styles(chart.curves, theme);
   for (int i = 0; i < chart.curves.size(); ++i) {
     const std::string& solver = chart.curves[i];
+    const render::SeriesStyle& style = styles[i % styles.size()];
     List<TradePoint> own;
     std::copy_if(chart.points.begin(), chart.points.end(), std::back_inserter(own),
                  [&](const TradePoint& point) { return point.solver == solver; });
     const render::Places places = places_of(chart.is_of_sweeps ? own : front_of(own));
-    plot.series.push_back({.name = solver_label(solver), .style = styles[i], .x = places.x, .y = places.y});
+    plot.series.push_back({.name = solver_label(solver), .style = style, .x = places.x, .y = places.y});
   }
   if (!chart.labels_all) return plot;
   for (const TradePoint& point : front_of(chart.points)) {

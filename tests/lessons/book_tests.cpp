@@ -141,7 +141,8 @@ TEST_CASE("the book shows what the lesson drew and printed, its text and its exe
   if (book_is_missing(book.ran)) return;
   const std::string& page = book.pages.at("lesson06.html");
   const ScratchFolder out;
-  const Ran ran = run_program("lesson06_sequential_impulses", {"--size", "large", "-o", out.path()});
+  const Ran ran =
+      run_program("lesson06_sequential_impulses", {"--checks", "--size", "large", "-o", out.path()});
   REQUIRE(ran.code == 0);
   const auto film = nlohmann::json::parse(out.text("frames.json"));
   for (const auto& frame : film["frames"]) {
@@ -177,11 +178,26 @@ TEST_CASE("formulas of every page are MathML, whose symbols lead to the notation
   const std::string& page = whole_book().pages.at("lesson02.html");
   CHECK(page.find("<span class=\"tag\" id=\"eq-22\">(22)</span><span><math") != std::string::npos);
   CHECK(page.find("<span>what an impulse does</span>") != std::string::npos);
-  CHECK(std::regex_search(
-      page, std::regex("<mi><a href=\"notation.html#symbol-[0-9]+\" tabindex=\"-1\">λ</a></mi>")));
-  CHECK(std::regex_search(
-      page, std::regex("<mi><a href=\"notation.html#symbol-[0-9]+\" tabindex=\"-1\">Δt</a></mi>")));
+  CHECK(std::regex_search(page, std::regex("<mi data-symbol=\"notation.html#symbol-[0-9]+\">λ</mi>")));
+  CHECK(std::regex_search(page, std::regex("<mi data-symbol=\"notation.html#symbol-[0-9]+\">Δt</mi>")));
   CHECK(whole_book().pages.at("lesson12.html").find("<mtable>") != std::string::npos);  // a matrix
+}
+
+TEST_CASE("subscripts of prose are set as such, and nothing within a formula takes the focus") {
+  const std::regex raw("(^|[^A-Za-z])([A-Za-z]|[\xCC-\xCF][\x80-\xBF])_[{A-Za-z0-9]");
+  for (const auto& [name, page] : whole_book().pages) {
+    CAPTURE(name);
+    const std::string main = page.substr(page.find("<main"));
+    const std::string prose =
+        std::regex_replace(without_blocks_of_code(main), std::regex("<code[^>]*>[^<]*</code>"), "");
+    const std::string words = std::regex_replace(prose, std::regex("<[^>]*>"), "");
+    std::smatch found;
+    CHECK_MESSAGE(!std::regex_search(words, found, raw), found.str());
+    for (const std::string& formula : all_matches(page, std::regex("<math[^>]*>(.*)</math>")))
+      CHECK(formula.find("tabindex") == std::string::npos);
+  }
+  if (book_is_missing(whole_book().ran)) return;
+  CHECK(whole_book().pages.at("notation.html").find("<sub>") != std::string::npos);
 }
 
 TEST_CASE("keywords, comments and numbers of code have colours of their own, and so have commands") {

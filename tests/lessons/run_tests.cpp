@@ -89,7 +89,7 @@ TEST_CASE(
         lesson.check_that("it is", true, "42");
         lesson.fingerprint(List<double>{42});
       },
-      {"--dt", "1/60"});
+      {"--dt", "1/60", "--checks"});
   std::size_t at = 0;
   for (const char* part :
        {"Lesson 42  Made up ", "paper 1, eq (1)", "Idea: A lesson", "λ = 1/60", "PREDICT  What is six",
@@ -115,14 +115,14 @@ TEST_CASE("quiet leaves the claims only, verbose adds details, plain is ASCII") 
   CHECK(quiet.out.rfind("CHECK  λ ≥ 0 ", 0) == 0);
   CHECK(std::count(quiet.out.begin(), quiet.out.end(), '\n') == 1);
   CHECK(says(run_in_child(lesson, {"-v"}).out, "a detail"));
-  const std::string plain = run_in_child(lesson, {"--plain"}).out;
+  const std::string plain = run_in_child(lesson, {"--plain", "--checks"}).out;
   CHECK(says(plain, "CHECK  lambda >= 0 "));
   CHECK(std::all_of(plain.begin(), plain.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }));
 }
 
 TEST_CASE("colours come when they are asked for, and never with --plain") {
   const auto lesson = [](Lesson& run) { run.check_that("fine", true, ""); };
-  CHECK(says(run_in_child(lesson, {"--color", "always"}).out, "\x1b[32mok\x1b[0m"));
+  CHECK(says(run_in_child(lesson, {"--color", "always", "--checks"}).out, "\x1b[32mok\x1b[0m"));
   CHECK_FALSE(says(run_in_child(lesson, {"--color", "always", "--plain"}).out, "\x1b"));
 }
 

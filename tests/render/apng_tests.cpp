@@ -24,7 +24,7 @@ struct Animation {
 AnimationFrame frame_from_control(const std::string& data) {
   const auto number = [&](std::size_t offset) { return static_cast<int>(number_at(data, offset, 4)); };
   REQUIRE(data.size() == 26);
-  CHECK(number_at(data, 24, 2) == 0);  // nothing is disposed of, nothing blended
+  CHECK(number_at(data, 24, 2) == 1);  // nothing is disposed of; pixels cover what was there
   return {.x = number(12),
           .y = number(16),
           .width = number(4),
@@ -38,7 +38,9 @@ void show(AnimationFrame& frame, const Image& before, const std::string& compres
   frame.shown = before;
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
-      for (int channel = 0; channel < 3; ++channel) {
+      const bool is_left_out = channel_at(part, x, y, 0) == 3 && channel_at(part, x, y, 1) == 253 &&
+                               channel_at(part, x, y, 2) == 2;
+      for (int channel = 0; channel < 3 && !is_left_out; ++channel) {
         channel_at(frame.shown, frame.x + x, frame.y + y, channel) = channel_at(part, x, y, channel);
       }
     }
@@ -109,7 +111,7 @@ TEST_CASE("a viewer that knows no animation sees the first picture") {
   const TemporaryFolder folder;
   write_apng(folder / "a.png", images, 10);
   CHECK(read_png(folder / "a.png").pixels == images[0].pixels);
-  const List<std::string> expected = {"IHDR", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "IEND"};
+  const List<std::string> expected = {"IHDR", "acTL", "tRNS", "fcTL", "IDAT", "fcTL", "fdAT", "IEND"};
   CHECK(animation_in(folder / "a.png").names == expected);
 }
 
@@ -128,6 +130,31 @@ TEST_CASE("only the rectangle that changed is stored, and one pixel when nothing
     CHECK(animation.frames[i].height == expected[i][3]);
     CHECK(animation.frames[i].shown.pixels == images[i].pixels);
   }
+}
+
+TEST_CASE("what is as before between two changes takes next to nothing") {
+  const Image first = random_picture(200, 100, 1);
+  Image second = first;
+  channel_at(second, 0, 0, 0) ^= 1;
+  channel_at(second, 199, 99, 0) ^= 1;  // the rectangle of the changes is the whole picture
+  const TemporaryFolder folder;
+  write_apng(folder / "one.png", {first}, 10);
+  write_apng(folder / "two.png", {first, second}, 10);
+  CHECK(animation_in(folder / "two.png").frames[1].shown.pixels == second.pixels);
+  CHECK(std::filesystem::file_size(folder / "two.png") <
+        std::filesystem::file_size(folder / "one.png") + 1000);
+}
+
+TEST_CASE("the colour that means as before is shown as its neighbour") {
+  Image green = flat_picture(2, 1, 9);
+  for (int x = 0; x < 2; ++x) {
+    channel_at(green, x, 0, 0) = 3;
+    channel_at(green, x, 0, 1) = 253;
+    channel_at(green, x, 0, 2) = 2;
+  }
+  const TemporaryFolder folder;
+  write_apng(folder / "a.png", {flat_picture(2, 1, 9), green}, 10);
+  CHECK(animation_in(folder / "a.png").frames[1].shown.pixels == List<std::uint8_t>{3, 253, 3, 3, 253, 3});
 }
 
 TEST_CASE("a picture stays for one over the frame rate, to a hundredth of a frame per second") {

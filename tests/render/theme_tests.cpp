@@ -1,5 +1,6 @@
 // The palettes keep the contrasts that they promise.
 #include "render/pictures.hpp"
+#include "render/solver_style.hpp"
 
 namespace cairn::render {
 
@@ -108,6 +109,34 @@ TEST_CASE("type is never below 12 px, whatever the size of the picture") {
 TEST_CASE("pictures of 540 px and more have the large sizes") {
   CHECK(sizes_for(539).title < sizes_for(540).title);
   CHECK(sizes_for(540).title == sizes_for(1080).title);
+}
+
+TEST_CASE("each solver has the colour of its family and a line of its own, and grey is no solver") {
+  for (const Theme& theme : {light_theme(), dark_theme()}) {
+    const auto same = [](Color a, Color b) { return a.r == b.r && a.g == b.g && a.b == b.b; };
+    const List<std::pair<std::string, Color>> families = {{"pgs", theme.pgs.color},
+                                                          {"accelerated", theme.pgs.color},
+                                                          {"si", theme.si.color},
+                                                          {"sor", theme.si.color},
+                                                          {"block", theme.si.color},
+                                                          {"wide", theme.si.color},
+                                                          {"jacobi", theme.jacobi.color},
+                                                          {"jacobi-damped", theme.jacobi.color},
+                                                          {"jacobi-split", theme.jacobi.color},
+                                                          {"box2d", theme.box2d.color},
+                                                          {"newton", theme.text}};
+    for (int i = 0; i < families.size(); ++i) {
+      CAPTURE(families[i].first);
+      const SeriesStyle style = style_of_solver(theme, families[i].first);
+      CHECK(same(style.color, families[i].second));
+      for (int k = 0; k < i; ++k) {
+        const SeriesStyle other = style_of_solver(theme, families[k].first);
+        if (same(style.color, other.color)) CHECK((style.dash != other.dash && style.marker != other.marker));
+      }
+      for (const SeriesStyle& neutral : neutral_styles(theme))
+        CHECK((families[i].first == "newton" || !same(style.color, neutral.color)));
+    }
+  }
 }
 
 }  // namespace cairn::render
