@@ -18,7 +18,7 @@ const LessonCard lesson21(
      .question = "Ten beads of 0.1\u00a0kg hang on rods of 0.5\u00a0m, one below the other, at Δt = "
                  "0.02\u00a0s. Every step is solved exactly. The load at the lower end grows. From how many "
                  "kilograms on does the chain go to pieces?",
-     .spoilers = {"12.2", "12.5", "fingerprint"},
+     .spoilers = {"12.2", "12.5", "geometric"},
      .hints = {"Push one bead aside by x. Which way do the two taut rods pull it, and how hard?",
                "A rod that pulls with f and has the length l is a spring sideways, of f / l. Neighbours that "
                "swing "

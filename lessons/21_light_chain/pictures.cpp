@@ -128,8 +128,8 @@ void draw_growth(Page& page, const ChainRuns& runs) {
 
 void draw_cures(Page& page, const ChainRuns& runs) {
   const List<Rect> parts = in_rows(page, {{0.72, {0.2, 0.2, 0.6}}, 0.28});
-  draw_chain(page, parts[0], runs, runs.cures[0].frames.back(), "half");
-  draw_chain(page, parts[1], runs, runs.cures[1].frames.back(), "enough");
+  draw_chain(page, parts[0], runs, runs.cures[0].frames.back(), "half the mass");
+  draw_chain(page, parts[1], runs, runs.cures[1].frames.back(), "that mass");
   draw_plot(page, parts[2], off_plot(page, runs.cures, "farthest bead from the line (m)"));
   page.note(
       parts[3], "The mass that cures it",

@@ -49,19 +49,18 @@ void check_runs(Lesson& lesson, const ChainRuns& runs) {
   if (load > 3 * critical)
     lesson.check_that("10, 100, 10 000 sweeps, and exact: none of them keeps it (chains kept)", kept == 0,
                       fmt::format("{}", kept));
-  // With half of the mass that is needed, the fastest swing has ω Δt above 2: three beads have 1.9 of the 2 k
-  // / m.
+  // From four beads on, the fastest swing has 0.9 of the bound 2 k / m, so ω Δt is 2.7 with half of the mass.
   if (load > 3 * critical && runs.settings.beads > 3)
     lesson.check_that("half of the mass is not enough (step)", runs.cures[0].torn > 0,
                       fmt::format("{}", runs.cures[0].torn));
-  // A swing of ω Δt = z goes as far as 1 / sqrt(1 - z²/4) times its beginning, and all of them add up.
   lesson.check_that("the mass Δt² k / 2 holds (mm)", runs.cures[1].torn < 0,
                     fmt::format("{:.2g}", 1000 * runs.cures[1].off_most()));
   if (load < 0.9 * runs.criticals[2].predicted)
     lesson.check_that("four substeps hold (mm)", runs.cures[2].torn < 0,
                       fmt::format("{:.2g}", 1000 * runs.cures[2].off_most()));
-  lesson.check_small("the default holds: never farther off than at the beginning (m)",
-                     runs.cures[3].off_most(), 0.001 * (1 + 16 * epsilon));
+  if (load > critical)
+    lesson.check_small("the default holds: never farther off than at the beginning (m)",
+                       runs.cures[3].off_most(), 0.001 * (1 + 16 * epsilon));
 }
 
 }  // namespace
