@@ -11,7 +11,7 @@ const LessonCard lesson21(
              "rows are "
              "solved well or badly is not what decides.",
      .paper = "beyond the paper",
-     .equations = {"k = f / l                                   a taut rod, pushed sideways",
+     .equations = {"k = f / l                                  a taut rod, pushed sideways",
                    "x(k+1) − 2 x(k) + x(k−1) = −(ω Δt)² x(k)   a swing under semi-implicit Euler"},
      .needs = {"lesson 06", "lesson 13", "lesson 19"},
      .reads = {"src/world/two_solves.cpp", "src/constraints/constraint.hpp"},

@@ -39,7 +39,6 @@ List<double> forces_of(const ChainSettings& settings) {
 }
 
 List<double> squared_frequencies(const ChainSettings& settings, const List<double>& masses) {
-  // [swings]
   const List<double> force = forces_of(settings);
   Matrix<double> K = Matrix<double>::Zero(settings.beads + 1, settings.beads + 1);
   for (int i = 0; i <= settings.beads; ++i) {
@@ -50,7 +49,6 @@ List<double> squared_frequencies(const ChainSettings& settings, const List<doubl
     K(i - 1, i) -= k;
     K(i, i - 1) -= k;
   }
-  // [/swings]
   for (int i = 0; i <= settings.beads; ++i) {
     const double root = std::sqrt(i < settings.beads ? masses[i] : settings.load);
     K.row(i) /= root;

@@ -36,12 +36,10 @@ bool holds(const ChainSettings& settings) {
 Critical find_critical(ChainSettings settings) {
   Critical critical{.dt = settings.dt, .rule = load_by_rule(settings), .predicted = critical_load(settings)};
   double low = 0.8 * critical.predicted, high = 1.2 * critical.predicted;
-  // [bisect]
   while (high - low > 2e-4 * high) {
     settings.load = (low + high) / 2;
     (holds(settings) ? low : high) = settings.load;
   }
-  // [/bisect]
   critical.measured = (low + high) / 2;
   return critical;
 }
@@ -65,14 +63,12 @@ Growth measure_growth(const ChainSettings& settings) {
 
 List<ChainRun> run_sweeps(const ChainSettings& settings, int steps) {
   List<ChainRun> runs;
-  // [sweeps]
   for (const int sweeps : {10, 100, 10'000}) {
     SequentialImpulse<double> si({.iterations = sweeps});
     runs.push_back(run_chain(fmt::format("{} sweeps", spaced(sweeps)), settings, {}, si, steps));
   }
   NewtonSolver<double> exact({.iterations = 20});
   runs.push_back(run_chain("exact", settings, {}, exact, steps));
-  // [/sweeps]
   return runs;
 }
 

@@ -24,6 +24,14 @@ void print_tables(Lesson& lesson, const ChainRuns& runs) {
   lesson.print(fmt::format("Under {:g} kg, from 1 mm beside the line:", runs.settings.load));
   for (const auto* list : {&runs.sweeps, &runs.cures})
     for (const ChainRun& run : *list) lesson.print(fmt::format("  {:<20}{}", run.name, end_of(run)));
+  const ChainSettings& settings = runs.settings;
+  const List<double> own = squared_frequencies(settings, List<double>(settings.beads, settings.bead)),
+                     raised = squared_frequencies(settings, masses_needed(settings));
+  lesson.print(fmt::format(
+      "With the mass Δt² k / 2 the fastest swing has ω Δt = {:.3f} instead of {:.3f}; "
+      "the slowest takes {:.3f} s instead of {:.3f} s.",
+      settings.dt * std::sqrt(raised.back()), settings.dt * std::sqrt(own.back()),
+      2 * std::numbers::pi / std::sqrt(raised.front()), 2 * std::numbers::pi / std::sqrt(own.front())));
   lesson.print();
 }
 
@@ -46,6 +54,9 @@ void check_runs(Lesson& lesson, const ChainRuns& runs) {
   const double load = runs.settings.load, critical = runs.criticals[0].predicted;
   int kept = 0;
   for (const ChainRun& run : runs.sweeps) kept += run.torn < 0 ? 1 : 0;
+  const List<double> raised = squared_frequencies(runs.settings, masses_needed(runs.settings));
+  lesson.check_small("ω Δt of the fastest swing, with the mass Δt² k / 2",
+                     runs.settings.dt * std::sqrt(raised.back()), 2 * (1 + 100 * epsilon));
   if (load > 3 * critical)
     lesson.check_that("10, 100, 10 000 sweeps, and exact: none of them keeps it (chains kept)", kept == 0,
                       fmt::format("{}", kept));
