@@ -28,8 +28,7 @@ void print_tables(Lesson& lesson, const ChainRuns& runs) {
   const List<double> own = squared_frequencies(settings, List<double>(settings.beads, settings.bead)),
                      raised = squared_frequencies(settings, masses_needed(settings));
   lesson.print(fmt::format(
-      "With the mass Δt² k / 2 the fastest swing has ω Δt = {:.3f} instead of {:.3f}; "
-      "the slowest takes {:.3f} s instead of {:.3f} s.",
+      "With that mass: ω Δt {:.3f} instead of {:.3f}; the slowest swing {:.3f} s instead of {:.3f} s.",
       settings.dt * std::sqrt(raised.back()), settings.dt * std::sqrt(own.back()),
       2 * std::numbers::pi / std::sqrt(raised.front()), 2 * std::numbers::pi / std::sqrt(own.front())));
   lesson.print();
