@@ -36,6 +36,6 @@ const LessonCard lesson20(
                     {"links", 5, 1, 8, "", "of the chain", Parameter::Kind::whole},
                     {"steps", 140, 20, 300, "", "of each run", Parameter::Kind::whole}},
      .cover = 1,
-     .next = ""});
+     .next = "bash lessons/run 21   (solved exactly, and torn all the same)"});
 
 }  // namespace cairn

@@ -1,0 +1,186 @@
+// A bead aside and the swing that a step makes of it, chains under four solvers, growth against load, and
+// cures.
+#include "lesson.hpp"
+
+namespace cairn::taut {
+
+namespace {
+
+void draw_chain(Page& page, const Rect& rect, const ChainRuns& runs, const Snapshot& chain,
+                const std::string& title) {
+  const double depth = (runs.settings.beads + 1) * rod_length;
+  const Camera camera = fit(page.panel(rect, title), {{-1, -1.2 * depth - 0.5}, {1, 0.2}});
+  draw_world(page, camera, chain, {.numbers = false, .contacts = false, .penetration = false});
+}
+
+/// One bead beside the line, and what its two rods do to it.
+void draw_aside(Page& page, const Rect& rect) {
+  const Camera camera =
+      fit(page.panel(rect, "one bead aside by x: both rods pull it back"), {{-0.75, -1.15}, {0.75, 0.15}});
+  const List<Vec2<double>> places = {{0, 0}, {0.3, -0.5}, {0, -1}};
+  for (int i = 0; i < 2; ++i)
+    page.canvas().line(camera.project(places[i]), camera.project(places[i + 1]),
+                       {.width = page.sizes().outline, .color = page.theme().secondary_text});
+  page.canvas().line(camera.project({0, 0}), camera.project({0, -1}),
+                     {.width = page.sizes().grid, .color = page.theme().secondary_text});
+  for (const Vec2<double>& place : places)
+    page.canvas().circle(camera.project(place), page.sizes().marker + 2, {.fill = page.theme().outline});
+  const ArrowScale scale{.pixels_per_unit = 0.3 * camera.scale, .longest = camera.scale, .unit = "f"};
+  for (const int end : {0, 2}) {
+    const Vec2<double> along = (places[end] - places[1]).normalized();
+    draw_arrow(page, camera, scale,
+               {.kind = ArrowKind::joint, .tail = places[1], .value = along, .label = "f"});
+  }
+  draw_arrow(page, camera, scale,
+             {.kind = ArrowKind::external, .tail = places[1], .value = {-1.03, 0}, .label = "2 f x / l"});
+}
+
+/// What steps make of a swing, from rest.
+Plot swing_plot(const Page& page) {
+  Plot plot{.title = "x after each step, if it begins at 1"};
+  plot.x = {.title = "step", .min = 0, .max = 8};
+  plot.y = {.min = -16, .max = 16};
+  const FixedList<SeriesStyle, 3> styles = {page.theme().exact, page.theme().si, page.theme().box2d};
+  const FixedList<double, 3> angles = {0.5, 1.9, 2.1};
+  for (int i = 0; i < 3; ++i) {
+    List<double> x = {1};
+    for (double before = 1; x.size() <= 8;) {
+      const double next = 2 * x.back() - before - angles[i] * angles[i] * x.back();
+      before = x.back();
+      x.push_back(next);
+    }
+    plot.series.push_back(over_steps(fmt::format("ω Δt = {:g}", angles[i]), styles[i], x));
+  }
+  return plot;
+}
+
+void draw_swing(Page& page, const ChainRuns&) {
+  const List<Rect> parts = in_columns(page, {0.45, {0.55, {0.64, 0.36}}});
+  draw_aside(page, parts[0]);
+  draw_plot(page, parts[1], swing_plot(page));
+  page.note(parts[2], "A step keeps both directions",
+            "It pulls with 2 f x / l all the time, even where the bead has long passed the line. Above ω Δt "
+            "= 2 each "
+            "swing ends farther out than it began.");
+}
+
+void draw_solvers(Page& page, const ChainRuns& runs, int step) {
+  const List<Rect> parts = in_rows(page, {{1, {1, 1, 1, 1}}});
+  for (int i = 0; i < 4; ++i)
+    draw_chain(page, parts[i], runs, runs.sweeps[i].frames[step], runs.sweeps[i].name);
+}
+
+Shot solvers_shot(const ChainRuns& runs, int step) {
+  std::string alt =
+      fmt::format("After {} steps under {:g} kg, farthest bead from the line:", step, runs.settings.load);
+  for (const ChainRun& run : runs.sweeps) alt += fmt::format(" {:.2g} m with {},", run.off[step], run.name);
+  alt.back() = '.';
+  return {.state = fmt::format("{:g} kg · step {}", runs.settings.load, step),
+          .alt = alt,
+          .draw = [&runs, step](Page& page) { draw_solvers(page, runs, step); },
+          .key = step == 5 || step == 20 || step == 60};
+}
+
+Plot off_plot(const Page& page, const List<ChainRun>& all, const std::string& title) {
+  Plot plot{.title = title};
+  plot.x = {.title = "step", .min = 0, .max = film_steps};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-5, .max = 100};
+  const FixedList<SeriesStyle, 4> styles = {page.theme().pgs, page.theme().si, page.theme().box2d,
+                                            page.theme().exact};
+  for (int i = 0; i < 4; ++i) {
+    plot.series.push_back(over_steps(all[i].name, styles[i], all[i].off));
+    plot.series.back().markers = false;
+  }
+  plot.goals.push_back({lost, "lost"});
+  return plot;
+}
+
+Plot growth_plot(const Page& page, const ChainRuns& runs) {
+  const double most = 2.1 * runs.criticals[0].predicted;
+  Plot plot{.title = "a step multiplies the zigzag by"};
+  plot.x = {.title = "load (kg)", .min = 0, .max = most};
+  plot.y = {.min = 0, .max = 7};
+  Series formula{.name = "formula", .style = page.theme().exact, .markers = false};
+  ChainSettings loaded = runs.settings;
+  for (int i = 1; i <= 400; ++i) {
+    loaded.load = i * most / 400;
+    formula.add(loaded.load, growth_by_formula(fastest_angle(loaded)));
+  }
+  Series measured{.name = "measured", .style = page.theme().si, .line = false};
+  measured.style.marker = Marker::circle;
+  for (const Growth& each : runs.growths) measured.add(each.load, each.measured);
+  plot.series = {formula, measured};
+  plot.cursor = runs.criticals[0].predicted;
+  return plot;
+}
+
+void draw_growth(Page& page, const ChainRuns& runs) {
+  const List<Rect> parts = in_rows(page, {{0.72, {1, 1}}, 0.28});
+  draw_plot(page, parts[0], growth_plot(page, runs));
+  draw_plot(page, parts[1], off_plot(page, runs.sweeps, "farthest bead from the line (m)"));
+  page.note(
+      parts[2], "Not the solve: the step",
+      fmt::format(
+          "Left: dots are measured, the upright line is where ω Δt = 2. Right: under {:g} kg nothing keeps "
+          "the chain. Ten sweeps only begin later.",
+          runs.settings.load));
+}
+
+void draw_cures(Page& page, const ChainRuns& runs) {
+  const List<Rect> parts = in_rows(page, {{0.72, {0.2, 0.2, 0.6}}, 0.28});
+  draw_chain(page, parts[0], runs, runs.cures[0].frames.back(), "half the mass");
+  draw_chain(page, parts[1], runs, runs.cures[1].frames.back(), "that mass");
+  draw_plot(page, parts[2], off_plot(page, runs.cures, "farthest bead from the line (m)"));
+  page.note(
+      parts[3], "The mass that cures it",
+      fmt::format(
+          "With max(m, Δt² k / 2), here {:.3g} kg for the first bead, ω Δt is 2 at most, whatever hangs "
+          "below. Half of that mass is too little. Weights stay as they are.",
+          masses_needed(runs.settings)[0]));
+}
+
+}  // namespace
+
+List<Shot> chain_shots(const ChainRuns& runs) {
+  const auto draw_scene = [&runs](Page& page, const Rect& rect) {
+    draw_chain(page, rect, runs, runs.sweeps[0].frames[0], "how heavy?");
+  };
+  List<Shot> shots = {
+      question_shot(card(), {.state = "at the start",
+                             .alt = "A chain of light beads on rods with a large weight below, and "
+                                    "the question",
+                             .scene = draw_scene})};
+  shots.push_back(
+      key_shot(runs, "one bead",
+               "Left: a bead beside the line of its neighbours, pulled back by both rods. Right: with ω "
+               "Δt = 0.5 and 1.9 it swings, with 2.1 each swing is wider than the one before.",
+               draw_swing));
+  for (int k = 1; k <= film_steps; ++k) shots.push_back(solvers_shot(runs, k));
+  shots.push_back(
+      key_shot(runs, "growth",
+               "Left: the factor by which a step multiplies the zigzag, 1 up to the critical load and "
+               "rising from there, measured points on the curve. Right: four curves that all rise above "
+               "0.1 m.",
+               draw_growth));
+  shots.push_back(key_shot(runs, "cures",
+                           "A chain in pieces with half of the mass, one that hangs with all of it, and the "
+                           "distance from the line under four cures.",
+                           draw_cures));
+  const auto evidence = [&runs](Page& page, const Rect& rect) {
+    draw_plot(page, rect, growth_plot(page, runs));
+  };
+  shots.push_back(answer_shot(
+      card(),
+      {.state = "after the sweeps",
+       .alt = "The chain in pieces, the question, the answer, and the curve of growth against load.",
+       .scene =
+           [&runs](Page& page, const Rect& rect) {
+             draw_chain(page, rect, runs, runs.sweeps[3].frames.back(), "solved exactly");
+           },
+       .evidence = evidence},
+      fmt::format("{:.1f} kg: there ω Δt is 2. The rule l\u00a0m\u00a0/\u00a0(Δt²\u00a0g) says {:g} kg.",
+                  runs.criticals[0].predicted, runs.criticals[0].rule)));
+  return shots;
+}
+
+}  // namespace cairn::taut
