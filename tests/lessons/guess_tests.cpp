@@ -20,8 +20,8 @@ std::string middle_of(const WrongGuess& wrong) {
   return text;
 }
 
-/// Without the places where a line ends.
-std::string in_one_line(const std::string& text) {
+/// Without its line ends and what follows them.
+std::string unwrapped(const std::string& text) {
   std::string all;
   for (const char c : text) {
     const char next = c == '\n' ? ' ' : c;
@@ -44,7 +44,7 @@ TEST_CASE("a wrong guess that a lesson knows is wrong, and the lesson says why")
                                   {"--frames", "none", "--answer=" + guess});
       if (ran.code == 77) continue;  // built without Box2D
       CHECK(ran.code == 1);
-      CHECK(in_one_line(ran.out).find(wrong.why) != std::string::npos);
+      CHECK(unwrapped(ran.out).find(wrong.why) != std::string::npos);
       ++known;
     }
   }
