@@ -161,7 +161,6 @@ const List<SolverEntry>& solver_entries() {
            .updates_a_row = 15,
            .work_of_a_sweep = 15,
            .most_tried_sweeps = 16,
-           .ends_by_itself = true,
            .tuned = true,
            .uses_order = false,
            .uses_relaxation = false}),

@@ -28,8 +28,6 @@ struct SolverEntry {
   /// the work of different solvers is compared; study/tuning/sweep_price.hpp measures it.
   double work_of_a_sweep = 1;
   int most_tried_sweeps = 256;  // by a tuner
-  /// A solve is over once it is solved, mostly after one iteration: their number is only a limit.
-  bool ends_by_itself = false;
   bool tuned = false;           // whether a tuner tries it if nobody says which
   bool uses_sweeps = true;      // SolverSettings::iterations
   bool uses_order = true;       // SolverSettings::order
@@ -39,6 +37,9 @@ struct SolverEntry {
   bool uses_world = true;
   std::function<std::unique_ptr<Solver<float>>(const SolverSettings&)> make_float = {};
   std::function<std::unique_ptr<Solver<double>>(const SolverSettings&)> make_double = {};
+
+  /// Its iterations are linear systems, and mostly the first solves a problem: their number is only a limit.
+  bool ends_by_itself() const { return updates_a_row > 1; }
 };
 
 /// Row updates of so many rows times iterations, by SolverEntry::updates_a_row, and of rows times extra

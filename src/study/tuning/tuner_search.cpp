@@ -23,7 +23,7 @@ double median_of(List<double> values) {
 /// What a unit of work costs. Where solves end by themselves, a run that does badly does many times the work
 /// that is expected: the least shows what one costs that does well.
 double cost_of(const SolverEntry& solver, const List<double>& costs) {
-  return solver.ends_by_itself ? *std::min_element(costs.begin(), costs.end()) : median_of(costs);
+  return solver.ends_by_itself() ? *std::min_element(costs.begin(), costs.end()) : median_of(costs);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ double expected_work(const Setting& setting) {
   const StabilizationPolicy policy = setting.stabilization.policy;
   const bool twice = policy == StabilizationPolicy::relaxed || policy == StabilizationPolicy::soft ||
                      policy == StabilizationPolicy::split_impulse;
-  const int iterations = solver.ends_by_itself ? 1 : setting.sweeps.iterations;
+  const int iterations = solver.ends_by_itself() ? 1 : setting.sweeps.iterations;
   const double sweeps = (twice ? 2 : 1) * iterations * solver.work_of_a_sweep;
   return steps * (work_of_a_step + sweeps);
 }
@@ -57,7 +57,7 @@ List<Setting> tuner_settings(const List<std::string>& solvers, bool has_joints) 
   for (const std::string& solver : solvers) {
     const SolverEntry& entry = solver_entry(solver);
     List<int> sweeps = doubled(1, entry.most_tried_sweeps);
-    if (entry.ends_by_itself) std::reverse(sweeps.begin(), sweeps.end());
+    if (entry.ends_by_itself()) std::reverse(sweeps.begin(), sweeps.end());
     const List<Setting> own = settings_of({.solvers = {solver},
                                            .frequencies = {60, 120, 240},
                                            .substeps = {1, 2, 4, 8, 16},
