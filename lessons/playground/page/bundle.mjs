@@ -54,7 +54,10 @@ const parts = {
   scripts: [
     script(packed(JSON.stringify(texts)), ' type="text/plain" id="scenes"'),
     script(wasm, ' type="text/plain" id="wasm"'),
-    script(zipped(readFileSync(join(built, "cairn_playground.js"))).toString("base64"), ' type="text/plain" id="core-script"'),
+    script(
+      zipped(readFileSync(join(built, "cairn_playground.js"))).toString("base64"),
+      ' type="text/plain" id="core-script"',
+    ),
     script(
       zipped(esbuild("main.js", "--bundle", "--format=iife", "--target=es2022")).toString("base64"),
       ' type="text/plain" id="page-script"',
