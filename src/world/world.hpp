@@ -29,8 +29,8 @@ namespace cairn {
 /// Who looks at a step: nobody, an observer, or sums of impulses.
 template <Scalar Real>
 struct StepWatch {
-  StepWatch(SolveObserver<Real>* observer = nullptr) : solves(observer) {}
-  StepWatch(StepImpulses& sums) : impulses(&sums) {}
+  StepWatch(SolveObserver<Real>* observer = nullptr) : solves(observer) {}  ///< null: nobody
+  StepWatch(StepImpulses& sums) : impulses(&sums) {}                        ///< which begin anew
 
   SolveObserver<Real>* solves = nullptr;  // at each sweep
   StepImpulses* impulses = nullptr;       // at what contacts and joints give in all of the step

@@ -25,7 +25,7 @@ async function checkWheel(tab) {
   check(after.scale > 1.3 * before.scale, "the wheel brings the scene nearer", `${after.scale}`);
   check(isNear(before.point, after.point), "around the place under the pointer", JSON.stringify(after));
   check((await tab.evaluate(() => scrollY)) === 0, "and the page stays where it is");
-  const bar = await placeOf(tab, "row", 1);
+  const bar = await placeOf(tab, "row", 0);
   await tab.mouse.move(bar.x, bar.y);
   await tab.mouse.wheel(0, 200);
   await tab.waitForFunction(() => scrollY > 50);
