@@ -24,7 +24,7 @@ const LessonCard lesson04(
          "has one number b\u00a0=\u00a0ζ/Δt\u00a0−\u00a0Jv₁/Δt for each contact, with ζ\u00a0=\u00a00. What "
          "are "
          "these numbers, from the ground up, in m/s²?",
-     .spoilers = {"b₂ and b₃", "10, 0, 0", "do not approach", "Only the lowest contact"},
+     .spoilers = {"b₂ and b₃", "10, 0, 0", "do not approach", "Only the lowest box"},
      .wrong = {{{30, 20, 10},
                 {30, 20, 10},
                 "These are the forces. b says how fast bodies approach each other without "

@@ -38,9 +38,9 @@ TEST_CASE("a run leaves its pictures in order, their index, its rows and an acco
   const ScratchFolder folder;
   const Ran ran = film_into(folder, {});
   CHECK(ran.code == 0);
-  CHECK(ran.out.find("3 pictures: " + folder.path() + "/out/\n") != std::string::npos);
-  CHECK(folder.names("out") ==
-        Names{"frames.json", "l42_0001.png", "l42_0002.png", "l42_0003.png", "rows.csv", "run.json"});
+  CHECK(ran.out.find("3 pictures: " + folder.path() + "/out/index.html\n") != std::string::npos);
+  CHECK(folder.names("out") == Names{"frames.json", "index.html", "l42_0001.png", "l42_0002.png",
+                                     "l42_0003.png", "rows.csv", "run.json"});
   CHECK(folder.text("out/rows.csv") == "step,x\n1,0.10000000000000001\n");
   const auto index = nlohmann::json::parse(folder.text("out/frames.json"));
   CHECK(index["frames"].size() == 3);
@@ -80,8 +80,8 @@ TEST_CASE("pictures of an earlier run that are not written again go, and nothing
   folder.write("out/l42_0009.png", "not in the index");
   const Ran ran = film_into(folder, {"--frames", "-1"});
   CHECK(ran.code == 0);
-  CHECK(folder.names("out") ==
-        Names{"frames.json", "l42_0001.png", "l42_0009.png", "mine.txt", "rows.csv", "run.json"});
+  CHECK(folder.names("out") == Names{"frames.json", "index.html", "l42_0001.png", "l42_0009.png", "mine.txt",
+                                     "rows.csv", "run.json"});
   CHECK(nlohmann::json::parse(folder.text("out/frames.json"))["frames"][0]["frame"] == 3);
 }
 
