@@ -116,6 +116,7 @@ async function checkRows(tab) {
   await goTo(tab, "#scene=pyramid");
   await tab.click("#rows-title");
   const { rows } = await numbers(tab);
+  await tab.waitForSelector("#rows tbody tr");
   check((await column(tab, 0)).length === rows && rows > 200, "the list has every row", String(rows));
   const box = tab.locator("#rows-list");
   await box.hover();
