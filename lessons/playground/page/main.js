@@ -42,7 +42,7 @@ async function loadCore() {
 
 /**
  * The height of a picture of that width [px]: a narrow one has its rows below the scene; a wide one leaves room for the
- * line of numbers, the legend and the buttons. What is asked stands on the screen with it.
+ * line of numbers and the buttons. What is asked stands on the screen with it.
  * @param {number} width
  */
 function heightFor(width) {
@@ -52,7 +52,7 @@ function heightFor(width) {
   const most = isBounded ? Math.max(window.innerHeight - below, 1.1 * Math.min(width, 400)) : Infinity;
   if (width < 600) return Math.round(Math.min(1.6 * width, most));
   if (width < 900) return Math.round(Math.min(0.7 * width, most));
-  return Math.round(Math.min(Math.max(Math.min(0.6 * width, window.innerHeight - 304), 440), most));
+  return Math.round(Math.min(Math.max(Math.min(0.6 * width, window.innerHeight - 260), 440), most));
 }
 
 /** The picture has the size that the page has for it. @param {App} app */
