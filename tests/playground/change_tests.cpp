@@ -8,19 +8,11 @@
 
 #include <cairn/measure/fingerprint.hpp>
 #include "lessons/playground/interface.h"
+#include "playground/crates.hpp"
 #include "lessons/playground/playground.hpp"
 #include <cairn/scenes/scene_list.hpp>
 
 namespace {
-
-const std::string crates = R"(title = "two boxes"
-[ground]
-half_width = 8
-[[stack]]
-name = "crate"
-n = 2
-box = [1, 1]
-)";
 
 const std::string falling_ball = R"(title = "a ball that falls"
 [ground]
@@ -73,7 +65,7 @@ TEST_CASE("gravity changes in flight: a speed grows by g dt a step, and no more 
 
 TEST_CASE(
     "friction, bounce, mass and a second solver change without a restart, and contacts keep their impulses") {
-  begin_with(crates);
+  begin_with(two_crates);
   REQUIRE(cairn_step(120) == 1);
   REQUIRE(cairn_set("sweeps", "0") == 1);  // so that the next solve is its warm start
   CHECK(weight() == doctest::Approx(20).epsilon(0.02));
@@ -107,7 +99,7 @@ TEST_CASE("a ball that is given a bounce of 1 in flight leaves the ground as fas
 }
 
 TEST_CASE("balls and ropes are added, hold, and stand in the text") {
-  begin_with(crates);
+  begin_with(two_crates);
   REQUIRE(cairn_add_ball(3, 2, 0.5) == 1);
   CHECK(std::string(cairn_body_name(3)) == "ball-1");
   REQUIRE(cairn_add_rope(0, 3, 4, 3, 3, 2) == 1);
@@ -129,7 +121,7 @@ TEST_CASE("balls and ropes are added, hold, and stand in the text") {
 }
 
 TEST_CASE("a ball or a rope that cannot be is refused, and nothing changes") {
-  begin_with(crates);
+  begin_with(two_crates);
   const std::string text = cairn_scene_text();
   CHECK(cairn_add_ball(0, 4, -1) == 0);
   CHECK(cairn_add_rope(0, 1, 1, 0, 1, 1.01) == 0);
@@ -141,7 +133,7 @@ TEST_CASE("a ball or a rope that cannot be is refused, and nothing changes") {
 }
 
 TEST_CASE("what leaves the ground lands on the floor below it") {
-  begin_with(crates);
+  begin_with(two_crates);
   REQUIRE(cairn_add_ball(8.6, 2, 0.5) == 1);  // beyond the edge, at 8 m
   REQUIRE(cairn_step(600) == 1);
   CHECK(of_body(3, 1) == doctest::Approx(-3 + 0.5).epsilon(0.02));

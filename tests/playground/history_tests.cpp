@@ -5,6 +5,7 @@
 
 #include <cairn/math/list.hpp>
 #include "lessons/playground/interface.h"
+#include "playground/crates.hpp"
 
 namespace {
 
@@ -18,15 +19,6 @@ circle = 0.5
 position = [0, 6]
 [recommended]
 substeps = 1
-)";
-
-const char* const standing = R"(title = "two boxes"
-[ground]
-half_width = 8
-[[stack]]
-name = "crate"
-n = 2
-box = [1, 1]
 )";
 
 void begin_run(const char* text) {
@@ -74,7 +66,7 @@ TEST_CASE("back cuts the history, restart begins it anew, and it is as long as t
 }
 
 TEST_CASE("the force between two bodies is the weight that one carries") {
-  begin_run(standing);
+  begin_run(two_crates.c_str());
   REQUIRE(cairn_step(120) == 1);
   const List<double> crates = pair(1, 2), reversed = pair(2, 1);
   CHECK(crates.back() == doctest::Approx(10).epsilon(0.01));
@@ -84,7 +76,7 @@ TEST_CASE("the force between two bodies is the weight that one carries") {
 }
 
 TEST_CASE("a body that is not there has no numbers") {
-  begin_run(standing);
+  begin_run(two_crates.c_str());
   REQUIRE(cairn_step(5) == 1);
   REQUIRE(cairn_add_box(4, 3, 1, 1) == 1);
   REQUIRE(cairn_step(1) == 1);
