@@ -53,15 +53,13 @@ static std::string physics_of(const System& system) {
   return "";
 }
 
-static void grade_A(cairn::Grade& grade, const System& system) {
-  const std::vector<Row> rows = four_rows();
-  const Vec3 heavy = {0.5, 0.5, 3}, light = {2, 2, 12}, ones = {1, 1, 1}, none = {};
+static const Vec3 heavy = {0.5, 0.5, 3}, light = {2, 2, 12}, ones = {1, 1, 1}, none = {};  // inverse masses
+
+static void grade_diagonal(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
   const double diagonal = slanted_part1 + slanted_part2;
   const double mixed =
       diagonal + coupled(rows[1].j1, heavy, rows[1].j2) + coupled(rows[1].j2, light, rows[1].j1);
   const double plain = coupled(rows[1].j1, heavy, ones) + coupled(rows[1].j2, light, ones);
-  grade.number({"four rows: rows of A", 4}, static_cast<double>(system.A.size()));
-  if (system.A.size() != 4 || system.A[1].size() != 4) return;
   const bool is_doubled = std::abs(system.A[0][1] - 2 * coupled(rows[0].j2, heavy, rows[1].j1)) < 1e-9;
   grade.number(
       {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
@@ -82,7 +80,9 @@ static void grade_A(cairn::Grade& grade, const System& system) {
         {2.5, "An index too few: the turn couples rows, too."},
         {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}},
       system.A[1][1]);
-  const bool is_right = std::abs(system.A[1][1] - diagonal) < 1e-9;
+}
+
+static void grade_shared_body(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
   const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
   const double shared = coupled(rows[0].j2, heavy, rows[1].j1);
   grade.number(
@@ -98,6 +98,16 @@ static void grade_A(cairn::Grade& grade, const System& system) {
         {coupled(rows[0].j2, heavy, rows[1].j2) + coupled(rows[0].j1, none, rows[1].j1),
          "The rows share a body: look for the same body, not for the same place in the row."}}},
       system.A[0][1]);
+}
+
+static void grade_A(cairn::Grade& grade, const System& system) {
+  const std::vector<Row> rows = four_rows();
+  grade.number({"four rows: rows of A", 4}, static_cast<double>(system.A.size()));
+  if (system.A.size() != 4 || system.A[1].size() != 4) return;
+  grade_diagonal(grade, system, rows);
+  grade_shared_body(grade, system, rows);
+  const bool is_right = std::abs(system.A[1][1] - slanted_part1 - slanted_part2) < 1e-9;
+  const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
   const double crossed = coupled(rows[1].j1, heavy, rows[2].j2) + coupled(rows[1].j2, light, rows[2].j1);
   grade.number({"A[1][2]: both bodies shared, the other way round (1/kg)",
                 crossed,
