@@ -53,14 +53,17 @@ static std::string physics_of(const System& system) {
   return "";
 }
 
-static const Vec3 heavy = {0.5, 0.5, 3}, light = {2, 2, 12}, ones = {1, 1, 1}, none = {};  // inverse masses
+static const Vec3 inverse_heavy = {0.5, 0.5, 3}, inverse_light = {2, 2, 12}, inverse_ones = {1, 1, 1},
+                  inverse_none = {};  // inverse masses
 
 static void grade_diagonal(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
   const double diagonal = slanted_part1 + slanted_part2;
-  const double mixed =
-      diagonal + coupled(rows[1].j1, heavy, rows[1].j2) + coupled(rows[1].j2, light, rows[1].j1);
-  const double plain = coupled(rows[1].j1, heavy, ones) + coupled(rows[1].j2, light, ones);
-  const bool is_doubled = std::abs(system.A[0][1] - 2 * coupled(rows[0].j2, heavy, rows[1].j1)) < 1e-9;
+  const double mixed = diagonal + coupled(rows[1].j1, inverse_heavy, rows[1].j2) +
+                       coupled(rows[1].j2, inverse_light, rows[1].j1);
+  const double plain =
+      coupled(rows[1].j1, inverse_heavy, inverse_ones) + coupled(rows[1].j2, inverse_light, inverse_ones);
+  const bool is_doubled =
+      std::abs(system.A[0][1] - 2 * coupled(rows[0].j2, inverse_heavy, rows[1].j1)) < 1e-9;
   grade.number(
       {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
        diagonal,
@@ -84,7 +87,7 @@ static void grade_diagonal(cairn::Grade& grade, const System& system, const std:
 
 static void grade_shared_body(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
   const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
-  const double shared = coupled(rows[0].j2, heavy, rows[1].j1);
+  const double shared = coupled(rows[0].j2, inverse_heavy, rows[1].j1);
   grade.number(
       {"A[0][1]: body 1 is body 2 of one row, body 1 of the other",
        shared,
@@ -93,9 +96,10 @@ static void grade_shared_body(cairn::Grade& grade, const System& system, const s
                 : "The rows share a body: look for the same body, not for the same place in the row."},
         {2 * shared, "Each body is counted once: a sum over the bodies, not over both lists of them."},
         {-shared, "The sign: J_i M⁻¹ J_kᵀ, the minus is in j1 already."},
-        {coupled(rows[0].j2, ones, rows[1].j1), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
-        {coupled(rows[0].j2, light, rows[1].j1), "The inverse mass is that of the body that they share."},
-        {coupled(rows[0].j2, heavy, rows[1].j2) + coupled(rows[0].j1, none, rows[1].j1),
+        {coupled(rows[0].j2, inverse_ones, rows[1].j1), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
+        {coupled(rows[0].j2, inverse_light, rows[1].j1),
+         "The inverse mass is that of the body that they share."},
+        {coupled(rows[0].j2, inverse_heavy, rows[1].j2) + coupled(rows[0].j1, inverse_none, rows[1].j1),
          "The rows share a body: look for the same body, not for the same place in the row."}}},
       system.A[0][1]);
 }
@@ -108,21 +112,23 @@ static void grade_A(cairn::Grade& grade, const System& system) {
   grade_shared_body(grade, system, rows);
   const bool is_right = std::abs(system.A[1][1] - slanted_part1 - slanted_part2) < 1e-9;
   const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
-  const double crossed = coupled(rows[1].j1, heavy, rows[2].j2) + coupled(rows[1].j2, light, rows[2].j1);
-  grade.number({"A[1][2]: both bodies shared, the other way round (1/kg)",
-                crossed,
-                {{coupled(rows[1].j1, heavy, rows[2].j1) + coupled(rows[1].j2, light, rows[2].j2),
-                  "Look for the same body, not for the same place in the row."},
-                 {coupled(rows[1].j1, heavy, rows[2].j2), "Both bodies are shared: add both parts."},
-                 {coupled(rows[1].j2, light, rows[2].j1), "Both bodies are shared: add both parts."}}},
-               system.A[1][2]);
+  const double crossed =
+      coupled(rows[1].j1, inverse_heavy, rows[2].j2) + coupled(rows[1].j2, inverse_light, rows[2].j1);
+  grade.number(
+      {"A[1][2]: both bodies shared, the other way round (1/kg)",
+       crossed,
+       {{coupled(rows[1].j1, inverse_heavy, rows[2].j1) + coupled(rows[1].j2, inverse_light, rows[2].j2),
+         "Look for the same body, not for the same place in the row."},
+        {coupled(rows[1].j1, inverse_heavy, rows[2].j2), "Both bodies are shared: add both parts."},
+        {coupled(rows[1].j2, inverse_light, rows[2].j1), "Both bodies are shared: add both parts."}}},
+      system.A[1][2]);
   grade.number({"A[2][1]: A is symmetric (1/kg)",
                 crossed,
                 {{0, system.A[1][2] == 0 ? "" : "Only one half of A is filled."}}},
                system.A[2][1]);
   grade.number(
       {"A[0][2]: body 1 is body 2 of both rows (1/kg)",
-       coupled(rows[0].j2, heavy, rows[2].j2),
+       coupled(rows[0].j2, inverse_heavy, rows[2].j2),
        {{0, is_diagonal || !is_right ? "" : "All pairs of rows count, not only those beside each other."}}},
       system.A[0][2]);
   grade.number({"A[0][3]: both stand on the ground (1/kg)",
