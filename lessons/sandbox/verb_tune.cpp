@@ -97,8 +97,9 @@ class TuneTable {
       console_.result(console_.spelt(line(who, *rival) + (is_late ? "  over the budget" : "")));
     else
       console_.result(
-          console_.spelt(fmt::format("{:<12} {:<{}} misses it: {}{}", who, setting_text(rival->setting),
-                                     width_, rival->missed, others)));
+          console_.spelt(fmt::format("{:<12} {:<{}} {}: {}{}", who, setting_text(rival->setting), width_,
+                                     std::isfinite(rival->share) ? "misses it" : "fails", rival->missed,
+                                     others)));
   }
 
  private:

@@ -43,10 +43,10 @@ List<SceneTableKind> scene_setting_kinds() {
 List<SceneTableKind> scene_repeat_kinds() {
   List<SceneTableKind> kinds = {
       {"link", "", {}, "A capsule between two points.", build_link},
-      {"stack", "", {"shape"}, "Bodies stack.1, stack.2, ..., upwards.", build_stack},
-      {"pyramid", "", {"shape"}, "From the left, row by row.", build_pyramid},
+      {"stack", "", {"shape"}, "Boxes or discs stack.1, stack.2, ..., upwards.", build_stack},
+      {"pyramid", "", {"shape"}, "Boxes or discs from the left, row by row.", build_pyramid},
       {"row", "", {"motion", "shape", "strength"}, "Row by row, each from its first.", build_row},
-      {"pile", "", {"shape"}, "Row by row, from the lowest.", build_pile},
+      {"pile", "", {"shape"}, "Boxes or discs, row by row, from the lowest.", build_pile},
       {"arch", "", {}, "From the right foot to the left.", build_arch},
       {"dominoes", "", {}, "From the left.", build_dominoes},
       {"cards", "", {}, "Storey by storey, each pair from the left.", build_cards},
