@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double least_residual = 1e-16;        // R_E below this is rounding
+constexpr double least_error = 1e-9;            // of a whole run likewise, in each of its units
 constexpr double most_spread = 0.1;             // of times: quartile range over median
 const List<double> goals = {1e-2, 1e-4, 1e-6};  // of R_E
 constexpr int profile_goal = 1;                 // 1e-4
@@ -235,7 +236,7 @@ std::string report_scene(const Words& words, const TradeStudy& trade, const CsvT
   const bool by_solve_time = trade.work == "solve_ns_med";
   const CsvTable steady = by_solve_time ? rows_with_steady_times(shown, most_spread) : shown;
   const List<TradePoint> points =
-      trade_points(steady, trade.work, trade.error, trade.level == 1 ? least_residual : 0);
+      trade_points(steady, trade.work, trade.error, trade.level == 1 ? least_residual : least_error);
   const int noisy = shown.rows.size() - steady.rows.size();
   if (!words.has("json")) print_front(trade, steady, noisy, points, console);
   if (points.empty()) return "";

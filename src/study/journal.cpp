@@ -29,6 +29,19 @@ std::string title_line(const std::string& study) { return "# " + study; }
 /// Answers of two builds must not stand in one table.
 std::string build_line() { return "# " + build_text(); }
 
+/// Behind the answers of a study that has all of them.
+constexpr const char* last_line = "# all done";
+
+/// @throws std::invalid_argument for what is no file, std::runtime_error for one that cannot be read.
+std::string text_of(const std::filesystem::path& path) {
+  require(std::filesystem::is_regular_file(path), path.string(), "journal", "a file", "something else");
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream all;
+  all << in.rdbuf();
+  if (!in) throw std::runtime_error(path.string() + ": cannot be read");
+  return all.str();
+}
+
 /// Lines that end with a line break: one that does not was cut off.
 List<std::string> whole_lines(std::istream& in) {
   List<std::string> lines;
@@ -53,17 +66,20 @@ Journal::Journal(std::filesystem::path path, const Study& study)
   List<CsvCell> header = {std::string("task")};
   header.insert(header.end(), study.header.begin(), study.header.end());
   header_ = csv_line(header);
-  if (std::filesystem::exists(path_)) read(path_);
+  if (std::filesystem::exists(path_) && !is_of_another_that_is_done(path_)) read(path_);
   rewrite();  // without the line that was cut off
 }
 
+std::string Journal::head() const { return title_line(study_) + '\n' + build_line() + '\n' + header_ + '\n'; }
+
+bool Journal::is_of_another_that_is_done(const std::filesystem::path& path) const {
+  const std::string text = text_of(path), end = '\n' + std::string(last_line) + '\n';
+  return text.rfind("# ", 0) == 0 && text.rfind(head(), 0) != 0 && text.size() > end.size() &&
+         text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
 void Journal::read(const std::filesystem::path& path) {
-  require(std::filesystem::is_regular_file(path), path.string(), "journal", "a file", "something else");
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream all;
-  all << in.rdbuf();
-  if (!in) throw std::runtime_error(path.string() + ": cannot be read");
-  const std::string text = all.str(), ours = title_line(study_) + '\n' + build_line() + '\n' + header_ + '\n';
+  const std::string text = text_of(path), ours = head();
   // It may have been cut off within its first three lines.
   const bool is_ours = text.compare(0, ours.size(), ours, 0, text.size()) == 0;
   const std::string first_line = text.substr(0, text.find('\n'));
@@ -78,6 +94,7 @@ void Journal::read(const std::filesystem::path& path) {
   require(is_ours, path.string(), "journal", "of the study \"" + study_ + "\"",
           "\"" + first_line.substr(is_titled ? 2 : 0) + "\"");
   for (int i = 3; i < lines.size(); ++i) {
+    if (lines[i] == last_line) continue;
     int task = -1;
     const bool is_task = read_count(std::string_view(lines[i]).substr(0, lines[i].find(',')), task);
     require(is_task && task >= 0 && task < tasks_, path.string(), "line " + std::to_string(i + 1),
@@ -91,9 +108,9 @@ void Journal::write(int task, const List<CsvCell>& row) {
   cells.insert(cells.end(), row.begin(), row.end());
   const std::string line = csv_line(cells);
   std::ofstream out(path_, std::ios::app);
-  out << line << '\n';
-  if (!out.flush()) throw std::runtime_error(path_.string() + ": cannot be written");
   lines_[task] = line;
+  out << line << '\n' << (size() == tasks_ ? last_line + std::string("\n") : "");
+  if (!out.flush()) throw std::runtime_error(path_.string() + ": cannot be written");
 }
 
 void Journal::absorb(const std::filesystem::path& other) {
@@ -103,7 +120,8 @@ void Journal::absorb(const std::filesystem::path& other) {
 }
 
 void Journal::rewrite() const {
-  write_whole_file(path_, title_line(study_) + '\n' + build_line() + '\n' + csv());
+  const std::string end = size() == tasks_ ? last_line + std::string("\n") : "";
+  write_whole_file(path_, title_line(study_) + '\n' + build_line() + '\n' + csv() + end);
 }
 
 std::string Journal::csv() const {

@@ -35,14 +35,15 @@ struct Study {
   List<StudyTask> tasks = {};
 };
 
-/// The answers found so far: a file with the study's name, the build's, a header, and a line for each task in
-/// the order in which they were done. A line that was cut off is forgotten. The file is only ever replaced as
-/// a whole or appended to.
+/// The answers found so far: a file with the study's name, the build's, a header, a line for each task in
+/// the order in which they were done, and a last line once all are. A line that was cut off is forgotten. The
+/// file is only ever replaced as a whole or appended to.
 class Journal {
  public:
-  /// Begins the file, or takes up what is there.
-  /// @throws std::invalid_argument when the file belongs to another study or build, or cannot be understood,
-  /// std::runtime_error when it cannot be written; both name the file.
+  /// Takes up what is there; begins the file where there is none, or one of another study or build that has
+  /// all of its answers.
+  /// @throws std::invalid_argument when the file is of another study or build that may go on, or cannot be
+  /// understood, std::runtime_error when it cannot be written; both name the file.
   Journal(std::filesystem::path path, const Study& study);
 
   bool has(int task) const { return lines_.count(task) != 0; }
@@ -55,6 +56,8 @@ class Journal {
   std::string csv() const;
 
  private:
+  std::string head() const;
+  bool is_of_another_that_is_done(const std::filesystem::path& path) const;
   void read(const std::filesystem::path& path);
   void rewrite() const;
 

@@ -116,18 +116,26 @@ TEST_CASE("the parts of a study merge to the bytes of the whole, and one part al
   CHECK(study_in(merged, "chain20x100", {"--solvers", "si", "--merge", "/no/such/journal"}).code == 2);
 }
 
-TEST_CASE("the journal of another grid, and a file that is none, are refused and left as they were") {
+TEST_CASE("the journal of another grid that may go on, and a file that is none, are left as they were") {
   const ScratchFolder folder;
-  CHECK(study_in(folder, "ratio100", {"--solvers", "si"}).code == 0);
-  const std::string before = folder.text("ratio100.journal");
-  const Ran other = study_in(folder, "ratio100", {"--solvers", "pgs"});
+  CHECK(study_in(folder, "ratio100", {"--solvers", "si", "--shard", "1/2"}).code == 0);
+  const std::string before = folder.text("ratio100.1-of-2.journal");
+  const Ran other = study_in(folder, "ratio100", {"--solvers", "pgs", "--shard", "1/2"});
   CHECK(other.code == 2);
   CHECK(lines_in(other.err) == 1);
   CHECK(text_has(other.err, "name another folder, or delete the journal"));
-  CHECK(folder.text("ratio100.journal") == before);
+  CHECK(folder.text("ratio100.1-of-2.journal") == before);
   folder.write("stack10.journal", "notes without a line break");
   CHECK(study_in(folder, "stack10", {"--solvers", "si"}).code == 2);
   CHECK(folder.text("stack10.journal") == "notes without a line break");
+}
+
+TEST_CASE("another grid on the same problem follows one that is done, in the same folder") {
+  const ScratchFolder folder, apart;
+  CHECK(study_in(folder, "ratio100", {"--solvers", "si"}).code == 0);
+  CHECK(study_in(folder, "ratio100", {"--solvers", "pgs"}).code == 0);
+  CHECK(study_in(apart, "ratio100", {"--solvers", "pgs"}).code == 0);
+  check_same(folder, apart, "ratio100");
 }
 
 TEST_CASE("a study that is interrupted ends with 130, and goes on to the bytes of one that was not") {
@@ -166,22 +174,34 @@ TEST_CASE("output that a full disk does not take ends with three") {
 
 TEST_CASE("the journal of another build is neither taken up nor merged") {
   const ScratchFolder folder, merged;
-  CHECK(study_in(folder, "ratio100", {"--solvers", "si"}).code == 0);
-  std::string journal = folder.text("ratio100.journal");
+  const std::string name = "ratio100.1-of-2.journal";
+  CHECK(study_in(folder, "ratio100", {"--solvers", "si", "--shard", "1/2"}).code == 0);
+  std::string journal = folder.text(name);
   const std::size_t commit = journal.find(" of commit ");
   REQUIRE(commit != std::string::npos);
   journal.insert(commit + 11, "another");
-  folder.write("ratio100.journal", journal);
+  folder.write(name, journal);
   for (const Ran& ran :
-       {study_in(folder, "ratio100", {"--solvers", "si"}),
-        study_in(merged, "ratio100", {"--solvers", "si", "--merge", folder.path() + "/ratio100.journal"})}) {
+       {study_in(folder, "ratio100", {"--solvers", "si", "--shard", "1/2"}),
+        study_in(merged, "ratio100", {"--solvers", "si", "--merge", folder.path() + "/" + name})}) {
     CHECK(ran.code == 2);
     CHECK(lines_in(ran.err) == 1);
-    CHECK(text_has(ran.err, "ratio100.journal: build must be cairn "));
+    CHECK(text_has(ran.err, name + ": build must be cairn "));
     CHECK(text_has(ran.err, ", got cairn "));
     CHECK(text_has(ran.err, " of commit another"));
   }
-  CHECK(folder.text("ratio100.journal") == journal);
+  CHECK(folder.text(name) == journal);
+}
+
+TEST_CASE("an error that is rounding is no reason for more work") {
+  const ScratchFolder folder;
+  folder.write("stack.toml", "[ground]\n[[stack]]\nn = 3\nbox = [1, 1]\n");
+  const Ran ran = study_in(folder, folder.path() + "/stack.toml", {"--solvers", "newton", "--work", "updates"});
+  REQUIRE(ran.code == 0);
+  const std::size_t first = ran.out.find("newton");
+  REQUIRE(first != std::string::npos);
+  CHECK(text_has(ran.out.substr(first), " 1e-09"));
+  CHECK(lines_in(ran.out.substr(first, ran.out.find("written:") - first)) == 1);
 }
 
 TEST_CASE("solvers that never arrive say in the table how they end") {

@@ -83,6 +83,28 @@ TEST_CASE("shards do every task once, and merge to the same bytes in any order")
   CHECK(std::get<double>(table.rows[5][3]) == 2.5);
 }
 
+TEST_CASE("a journal that has all answers of another study or build is begun anew") {
+  const ScratchFolder folder;
+  int runs = 0;
+  const fs::path path = folder / "journal.csv";
+  const std::string squares_of_another_build =
+      "# squares\n# cairn 0.0.1\ntask,square,word,half\n0,0,\"a,0\",0\n";
+  {
+    const Study three = squares(3, runs);
+    Journal journal(path, three);
+    REQUIRE(run_study(three, {}, journal, to_the_end));
+    CHECK(Journal(path, three).size() == 3);  // of the same study nothing is lost
+  }
+  Study cubes = squares(2, runs);
+  cubes.name = "cubes";
+  CHECK(Journal(path, cubes).size() == 0);
+  CHECK(folder.text("journal.csv").rfind("# cubes\n", 0) == 0);
+  std::ofstream(path, std::ios::trunc) << squares_of_another_build << "# all done\n";
+  CHECK(Journal(path, squares(3, runs)).size() == 0);
+  std::ofstream(path, std::ios::trunc) << squares_of_another_build;  // it may go on
+  CHECK_THROWS_AS(Journal(path, squares(3, runs)), std::invalid_argument);
+}
+
 TEST_CASE("the journal of another study is left alone, and a wrong share is refused") {
   const ScratchFolder folder;
   int runs = 0;
