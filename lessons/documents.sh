@@ -83,5 +83,8 @@ grep -rlE '^<!-- (output of|source): ' --include='*.md' "$source/README.md" "$so
   renewed "$document" >"$target.new"
   mv "$target.new" "$target"
 done
+if [[ $destination == "$source" ]]; then
+  cairn_price_film times "$source/lessons/sandbox/prices/times.json" "$source/lessons/sandbox/choosing"
+fi
 mkdir -p "$destination/src/validation"
 cairn validate --page "$destination/src/validation/RESULTS.md" --quiet >/dev/null

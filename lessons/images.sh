@@ -72,7 +72,8 @@ for theme in light dark; do
     failures
   fi
   if [[ -x $programs/cairn_price_film ]]; then
-    "$programs/cairn_price_film" "$theme" "$images/prices_$theme.png" "$(dirname "${BASH_SOURCE[0]}")/sandbox/choosing"
+    sandbox=$(dirname "${BASH_SOURCE[0]}")/sandbox
+    "$programs/cairn_price_film" "$theme" "$images/prices_$theme.png" "$sandbox/choosing" "$sandbox/prices/times.json"
   fi
   if [[ -x $programs/cairn_playground_film ]]; then
     "$programs/cairn_playground_film" "$theme" "$images/playground_$theme.png"

@@ -1,11 +1,18 @@
-// cairn_price_film THEME FILE SCENES: six scenes at a tenth of the default's work, at the default's and at
-// ten times it, side by side as a short animated PNG. SCENES: the folder of those that do not come with
-// Cairn.
+// cairn_price_film THEME FILE SCENES TIMES: six scenes at a tenth of the default's work, at the default's and
+// at ten times it, side by side as a short animated PNG.
+// cairn_price_film times TIMES SCENES: measures the times that are written into it, anew.
+// SCENES: the folder of those that do not come with Cairn. TIMES: a file, so that the film is the same
+// wherever it is made.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "lessons/kit/words.hpp"
@@ -13,7 +20,9 @@
 #include "render/draw.hpp"
 #include "render/lint.hpp"
 #include "render/sequence.hpp"
+#include <cairn/measure/whole_file.hpp>
 #include <cairn/scenes/scene_list.hpp>
+#include <cairn/study/build_info.hpp>
 
 namespace {
 
@@ -21,9 +30,10 @@ using namespace cairn;
 using namespace cairn::sandbox;
 using render::Rect;
 
-constexpr int width = 1280, height = 700, frames = 10;
+constexpr int width = 1280, height = 764, frames = 10;
 constexpr double seconds = 3, frames_per_second = frames / seconds;
-constexpr double title_height = 24, caption_height = 36, block_gap = 12, cell_gap = 6, caption_type = 12;
+constexpr int turns = 5;  // of times, whose median counts
+constexpr double title_height = 24, caption_height = 52, block_gap = 12, cell_gap = 6, caption_type = 12;
 
 /// A setting that costs about the price that it is shown for.
 struct PricedSetting {
@@ -51,6 +61,7 @@ const PricedScene priced_scenes[] = {
 /// A scene, and its runs from the cheapest to the dearest; the default's is the second.
 struct PricedRuns {
   std::string kind = {};
+  std::string name = {};
   SceneEntry scene = {};
   List<SceneRun> runs = {};
 };
@@ -58,6 +69,7 @@ struct PricedRuns {
 PricedRuns runs_of(const PricedScene& priced, const std::filesystem::path& folder) {
   const std::string name = priced.name;
   PricedRuns all{.kind = priced.kind,
+                 .name = name,
                  .scene = scene_entry(names_scene_file(name) ? (folder / name).string() : name)};
   List<Setting> settings(3, all.scene.setting);
   const PricedSetting* const given[] = {&priced.tenth, nullptr, &priced.tenfold};
@@ -71,6 +83,26 @@ PricedRuns runs_of(const PricedScene& priced, const std::filesystem::path& folde
   for (const Setting& setting : settings)
     all.runs.push_back(run_scene(all.scene, setting, wish, {.quiet = true}));
   return all;
+}
+
+/// [ms a frame of 1/60 s] of each run, the median of some turns, and where they were measured.
+nlohmann::ordered_json measured_times(const std::filesystem::path& folder) {
+  nlohmann::ordered_json times;
+  for (const auto& [name, value] : build_entries()) {
+    if (name == "cpu") times["cpu"] = value;
+  }
+  for (const PricedScene& priced : priced_scenes) {
+    std::array<List<double>, 3> all;
+    for (int turn = 0; turn < turns; ++turn) {
+      const PricedRuns priced_runs = runs_of(priced, folder);
+      for (int i = 0; i < 3; ++i) all[i].push_back(1e3 * priced_runs.runs[i].result.frame());
+    }
+    for (List<double>& one : all) {
+      std::sort(one.begin(), one.end());
+      times["ms"][priced.name].push_back(std::stod(fmt::format("{:.2g}", one[turns / 2])));
+    }
+  }
+  return times;
 }
 
 /// "18", "0.067"; 0 below a hundredth.
@@ -90,8 +122,9 @@ std::string errors_of(const PricedRuns& all, const SceneRun& run) {
 
 class Film {
  public:
-  Film(const std::string& theme, const std::filesystem::path& folder)
-      : page_(width, height, theme == "dark" ? render::dark_theme() : render::light_theme()) {
+  /// `times` as measured_times() gives them.
+  Film(const std::string& theme, const std::filesystem::path& folder, const nlohmann::ordered_json& times)
+      : page_(width, height, theme == "dark" ? render::dark_theme() : render::light_theme()), times_(times) {
     for (const PricedScene& priced : priced_scenes) scenes_.push_back(runs_of(priced, folder));
   }
 
@@ -111,10 +144,15 @@ class Film {
     const List<Rect> bands = render::rows(page_.area(), {1, 1, 1}, block_gap);
     for (int i = 0; i < scenes_.size(); ++i)
       draw_scene(scenes_[i], frame, render::columns(bands[i / 2], {1, 1}, page_.sizes().gap)[i % 2]);
-    page_.canvas().text({page_.sizes().margin, height - 11.0},
+    const std::string cpu = times_.at("cpu");
+    const double margin = page_.sizes().margin;
+    page_.canvas().text({margin, height - 27.0},
                         "×: counted work beside the default's. x20 in 4 steps: at most so many sweeps or "
-                        "systems in each of so "
-                        "many substeps. The worst of 3 s, 0 below 0.01 mm; bold: the scene expects less.",
+                        "systems in each of so many substeps. Processor time of a frame of 1/60 s,",
+                        caption(false));
+    page_.canvas().text({margin, height - 11.0},
+                        "measured once (" + cpu +
+                            "). Errors: the worst of 3 s, 0 below 0.01 mm; bold: the scene expects less.",
                         caption(false));
     return page_.canvas().read();
   }
@@ -131,10 +169,11 @@ class Film {
     page_.canvas().text({rect.x, rect.y + 16}, all.kind, title);
     const Rect below = {rect.x, rect.y + title_height, rect.width, rect.height - title_height};
     const List<Rect> cells = render::columns(below, {1, 1, 1}, cell_gap);
-    for (int i = 0; i < all.runs.size(); ++i) draw_run(all, all.runs[i], frame, cells[i]);
+    for (int i = 0; i < all.runs.size(); ++i) draw_run(all, i, frame, cells[i]);
   }
 
-  void draw_run(const PricedRuns& all, const SceneRun& run, int frame, const Rect& rect) {
+  void draw_run(const PricedRuns& all, int number, int frame, const Rect& rect) {
+    const SceneRun& run = all.runs[number];
     const Rect world = {rect.x, rect.y, rect.width, rect.height - caption_height};
     page_.canvas().rect(
         {world.x + 0.5, world.y + 0.5, world.width - 1, world.height - 1},
@@ -147,28 +186,41 @@ class Film {
     const double work =
         static_cast<double>(run.result.row_updates) / static_cast<double>(all.runs[1].result.row_updates);
     const double base = world.y + world.height;
-    page_.canvas().text({rect.x, base + 14},
-                        fmt::format("×{:.{}g} {} x{} in {} step{}", work, work < 1 ? 1 : 2,
-                                    run.setting.solver, run.setting.sweeps.iterations, run.setting.substeps,
-                                    run.setting.substeps == 1 ? "" : "s"),
-                        caption(false));
-    page_.canvas().text({rect.x, base + 30}, errors_of(all, run),
-                        caption(!run.judgement.meets()));
+    const double time = times_.at("ms").at(all.name).at(number);
+    const std::string price =
+        fmt::format("work ×{:.{}g}, {:.2g} ms a frame", work, work < 1 ? 1 : 2, time);
+    page_.canvas().text({rect.x, base + 14}, price, caption(false));
+    const int steps = run.setting.substeps;
+    const std::string how = fmt::format("{} x{} in {} step{}", run.setting.solver,
+                                        run.setting.sweeps.iterations, steps, steps == 1 ? "" : "s");
+    page_.canvas().text({rect.x, base + 30}, how, caption(false));
+    page_.canvas().text({rect.x, base + 46}, errors_of(all, run), caption(!run.judgement.meets()));
   }
 
   render::Page page_;
+  nlohmann::ordered_json times_;
   List<PricedRuns> scenes_;
 };
+
+nlohmann::ordered_json read_times(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
+  return nlohmann::ordered_json::parse(in);
+}
 
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 4) {
-    std::fprintf(stderr, "cairn_price_film THEME FILE SCENES\n");
+  const bool measures = count == 4 && words[1] == std::string("times");
+  if (!measures && count != 5) {
+    std::fprintf(stderr, "cairn_price_film THEME FILE SCENES TIMES\ncairn_price_film times TIMES SCENES\n");
     return 2;
   }
   try {
-    Film(words[1], words[3]).write(words[2]);
+    if (measures)
+      write_whole_file(words[2], measured_times(words[3]).dump(1) + "\n");
+    else
+      Film(words[1], words[3], read_times(words[4])).write(words[2]);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "cairn_price_film: %s\n", error.what());
