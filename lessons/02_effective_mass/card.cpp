@@ -39,6 +39,6 @@ const LessonCard lesson02(
                     {"x", 0.5, 0.01, 0.5, "m", "the last place of the peg, right of the centre"},
                     {"dt", 0.02, 0.0001, 0.1, "s", "time step"}},
      .cover = 1,
-     .next = "bash lessons/run 3   (what ζ is for)"});
+     .next = "bash lessons/run 3   (the boxes of a stack, one push after the other)"});
 
 }  // namespace cairn

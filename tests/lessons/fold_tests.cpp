@@ -22,7 +22,7 @@ using Words = List<std::string>;
 
 constexpr const char* fold = "\n<!-- fold -->\n";
 
-/// "06_sequential_impulses".
+/// "03_sequential_impulses".
 std::string folder_of(const LessonInfo& card) {
   return (card.number < 10 ? "0" : "") + std::to_string(card.number) + "_" + card.name;
 }
