@@ -1,32 +1,27 @@
-// Exercise 03. Write the inner loop of Algorithm 1 for one contact. Then: bash lessons/run check 3
+// Exercise 03. Sweep over wheels until their rims slip no more. Then: bash lessons/run check 3
 #include <algorithm>
+#include <cmath>
 
 #include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise03 {
 
-/// A box that can only move up and down.
-struct Box {
-  double inverse_mass = 0;  // [1/kg]; 0: the ground
-  double velocity = 0;      // [m/s] upwards
+/// A wheel on a fixed axle. Its rim touches that of the next wheel in the list.
+struct Wheel {
+  double radius = 0;           // [m]
+  double inverse_inertia = 0;  // [1/(kg m²)]; 0: held fast, and so is no wheel beside it
+  double spin = 0;             // [rad/s], counterclockwise
 };
 
-/// One-sided: the box above may rise from the one below, and must not sink into it.
-struct Contact {
-  int below = 0;  // places in the list of boxes
-  int above = 0;
-  double impulse = 0;  // [N s] that it has given so far, in total
-};
-
-// j·v of a contact is the velocity of the box above less that of the box below. Give both boxes the impulse
-// that makes it 0, as far as a contact that cannot pull is able to, and add it to what the contact has given
-// so far.
-void update(Contact& contact, List<Box>& boxes) {
-  Box& below = boxes[contact.below];
-  Box& above = boxes[contact.above];
-  // Your code begins here: about five lines.
+// Where two wheels a and b touch, the slip of their rims is j·v = r_a ω_a + r_b ω_b, and 0 is wanted. Sweep
+// over the pairs from the first to the last. Stop when no pair slips faster than `limit` [m/s], in either
+// direction, or when there have been `most` sweeps. Returns how many there have been.
+int sweeps_until(List<Wheel>& wheels, double limit, int most) {
+  int sweeps = 0;
+  // Your code begins here: some fifteen lines.
 
   // Your code ends here.
+  return sweeps;
 }
 
 }  // namespace cairn::exercise03

@@ -1,129 +1,105 @@
-// Exercise 03, graded: three boxes that fall onto each other, and a contact that takes back what it gave.
+// Exercise 03, graded: two wheels after one visit, three after one sweep, and when it is time to stop.
 #include "exercise.cpp"
 
 namespace cairn::exercise03 {
 namespace {
 
-constexpr double push_rounding = 64 * 2.2204e-16;  // a dozen operations on numbers near 1
+constexpr double few_roundings = 64 * 2.2204e-16;  // a dozen operations on numbers below 16
 
-/// After k sweeps over the contacts, from the ground up.
+/// What is left of the wheels, and how many sweeps there have been.
 struct Swept {
-  List<Box> boxes = {};
-  List<Contact> contacts = {};
+  List<Wheel> wheels = {};
+  int sweeps = 0;
 };
 
-Swept swept(List<Box> boxes, int sweeps) {
-  Swept result{.boxes = std::move(boxes)};
-  const int count = result.boxes.size();
-  for (int i = 1; i < count; ++i) result.contacts.push_back({.below = i - 1, .above = i});
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (Contact& contact : result.contacts) update(contact, result.boxes);
-  }
+Swept swept(List<Wheel> wheels, double limit, int most) {
+  Swept result{.wheels = std::move(wheels)};
+  result.sweeps = sweeps_until(result.wheels, limit, most);
   return result;
 }
 
-/// Ground, and boxes of 2, 0.5 and 2 kg with the speed of one step of falling: g dt = 0.2 m/s.
-List<Box> tower() { return {{0, 0}, {0.5, -0.2}, {2, -0.2}, {0.5, -0.2}}; }
+/// j·v is 2·3 + 0.5·3 = 7.5 m/s and j M⁻¹ jᵀ = 4·0.5 + 0.25·12 = 5: the impulse is -1.5.
+List<Wheel> pair() { return {{2, 0.5, 3}, {0.5, 12, 3}}; }
 
-// The numbers below are Gauss-Seidel on A = [0.5 -0.5 0; -0.5 2.5 -2; 0 -2 2.5], b = (0.2, 0, 0), by hand.
-void grade_impulses(Grade& grade, const Swept& one) {
-  const bool stands = one.boxes[1].velocity == -0.2, ground_moves = one.boxes[0].velocity != 0;
-  const double ground = one.contacts[0].impulse, between = one.contacts[1].impulse;
-  const char* const inverse =
-      "The ground has 1/m = 0 and no mass: add inverse masses, and do not invert them first.";
-  grade.number({.what = "1 sweep: impulse of the ground (N s)",
-                .value = 0.4,
-                .misconceptions =
-                    {{-0.4, "The sign: boxes that approach have to be pushed apart."},
-                     {0, stands ? "Nothing was given: boxes that approach have to be pushed apart. The sign?"
-                                : "Nothing was added to the contact's impulse."},
-                     {std::nan(""), inverse},
-                     {0.1, "A heavy box needs more impulse, not less: divide by j M⁻¹ jᵀ."},
-                     {0.2, "(22): a speed is no impulse; divide it by j M⁻¹ jᵀ."}},
-                .tolerance = push_rounding},
-               ground);
-  ExpectedNumber second{
-      .what = "1 sweep: impulse between boxes 1 and 2 (N s)", .value = 0.08, .tolerance = push_rounding};
-  if (std::abs(ground - 0.4) <= push_rounding) {
-    second.misconceptions = {
-        {0, ground_moves ? "The ground has moved: each body has its own inverse mass."
-                         : "The velocities have not changed: apply the impulse immediately, to both bodies."},
-        {0.1, "Two bodies give way here: the effective mass has both in it."},
-        {0.4, "Two bodies give way here: the effective mass has both in it."},
-        {0.5, "Add the inverse masses of both, not the masses: the lighter one gives way more."}};
-  }
-  grade.number(second, between);
+/// The first wheel is held. Pair 1 stops wheel 2; pair 2 then slips at 1 m/s, and makes pair 1 slip at
+/// -1/2 m/s. Each later sweep halves that: numbers that a computer has exactly.
+List<Wheel> train() { return {{1, 0, 0}, {0.5, 4, 2}, {0.25, 16, 4}}; }
+
+void grade_visit(Grade& grade) {
+  const Swept once = swept(pair(), 0.01, 1);
+  const double a = once.wheels[0].spin, b = once.wheels[1].spin;
+  const char* const one_wheel = "Both wheels give way: j M⁻¹ jᵀ is a sum over the two.";
+  grade.number(
+      {.what = "two wheels, one visit: spin of the first (rad/s)",
+       .value = 1.5,
+       .misconceptions =
+           {{3, b == 3 ? "Nothing has turned: change the wheels of the list."
+                       : "The push has two ends: it changes the first wheel, too."},
+            {4.5, "The sign: the impulse is −j·v / (j M⁻¹ jᵀ)."},
+            {2.1, "Two wheels that both turn counterclockwise slip: j·v is a sum here."},
+            {3 - 7.5 / 7, "(22): each radius comes in squared, as j stands twice in j M⁻¹ jᵀ."},
+            {2.4, "The radii are missing in j M⁻¹ jᵀ: j is (r_a, r_b)."},
+            {-0.75, one_wheel},
+            {0.5, one_wheel},
+            {-4.5, "A slip is no impulse: divide it by j M⁻¹ jᵀ."},
+            {3 - 37.5, "Divide by j M⁻¹ jᵀ: do not multiply."},
+            {2.25, "A push at the rim turns a large wheel more: M⁻¹ jᵀ λΔt has the radius in it."},
+            {0, "M⁻¹ is missing: the inverse of I says how much an impulse changes a spin."},
+            {-3, "inverse_inertia is 1/I already: multiply by it."}},
+       .tolerance = few_roundings},
+      a);
+  grade.number({.what = "and of the second (rad/s)",
+                .value = -6,
+                .misconceptions = {{3, a == 1.5 ? "The push has two ends: it changes the second wheel, too." : ""},
+                                   {12, "Both numbers of j are positive here: both spins change the same way."},
+                                   {-15, "The radius of the second wheel is missing."},
+                                   {2.25, "M⁻¹ of the second wheel is missing."}},
+                .tolerance = few_roundings},
+               b);
 }
 
-void grade_tower(Grade& grade) {
-  const Swept one = swept(tower(), 1), two = swept(tower(), 2), ground = swept({{0, 0}, {0.5, -0.2}}, 1);
-  const bool first_is_right = std::abs(one.contacts[0].impulse - 0.4) <= push_rounding;
-  const bool is_right_alone = std::abs(ground.boxes[1].velocity) <= push_rounding;
-  grade_impulses(grade, one);
+void grade_sweep(Grade& grade) {
+  const Swept once = swept(train(), 0.01, 1);
+  const double middle = once.wheels[1].spin, last = once.wheels[2].spin;
+  grade.number({.what = "three wheels, one sweep: spin of the one that is held (rad/s)", .value = 0},
+               once.wheels[0].spin);
   grade.number(
-      {.what = "1 sweep, one box: velocity of the box (m/s)",
-       .value = 0,
-       .misconceptions = {{0.2, "(23): an impulse is no change of velocity; multiply it by 1/m."},
-                          {0.6, "(23): inverse_mass is 1/m already; multiply by it."},
-                          {-0.1, first_is_right ? "Each body gets the whole impulse, not half of it." : ""}},
-       .tolerance = push_rounding},
-      ground.boxes[1].velocity);
-  grade.number({.what = "1 sweep, one box: velocity of the ground (m/s)",
-                .value = 0,
-                .misconceptions = {{-0.2, "The ground has moved: each body has its own inverse mass."}},
-                .tolerance = push_rounding},
-               ground.boxes[0].velocity);
-  grade.number(
-      {.what = "1 sweep: velocity of box 1 (m/s)",
-       .value = -0.04,
-       .misconceptions = {{0, "Action and reaction: contact 2 pushes box 1 down."},
-                          {0.04, is_right_alone ? "Action and reaction: contact 2 pushes box 1 down, not up."
-                                                : ""}},
-       .tolerance = push_rounding},
-      one.boxes[1].velocity);
-  grade.number({.what = "2 sweeps: impulse of the ground (N s)",
-                .value = 0.48,
-                .misconceptions = {{0.08, "The second correction has replaced the first: add it."}},
-                .tolerance = push_rounding},
-               two.contacts[0].impulse);
+      {.what = "of the second (rad/s)",
+       .value = -1,
+       .misconceptions = {{0, last == 4 ? "Only the first pair has been visited: a sweep visits all."
+                                        : "The order: a sweep goes from the first pair to the last."},
+                          {-2, "Each push acts immediately: the next pair has to find the new spins."}},
+       .tolerance = few_roundings},
+      middle);
+  grade.number({.what = "of the third (rad/s)", .value = 2, .tolerance = few_roundings}, last);
 }
 
-/// A box of 0.5 kg comes down on one of 2 kg at 1 m/s, and is pulled up afterwards: the contact first gives
-/// 0.4 N s, and then has to take back some of it, and at last the rest.
-void grade_taking_back(Grade& grade) {
-  List<Box> boxes = {{0.5, 0}, {2, -1}};
-  Contact contact{.below = 0, .above = 1};
-  update(contact, boxes);
-  const bool moved = std::abs(boxes[0].velocity + 0.2) <= push_rounding &&
-                     std::abs(boxes[1].velocity + 0.2) <= push_rounding;
-  const char* const both_move =
-      moved ? "j·v is the velocity of the box above less that of the box below." : "";
-  boxes[1].velocity += 0.6;
-  update(contact, boxes);
+/// After k sweeps pair 1 slips at -2⁻ᵏ m/s, and pair 2 not at all.
+void grade_stop(Grade& grade) {
   grade.number(
-      {.what = "pulled up by 0.6 m/s afterwards: impulse (N s)",
-       .value = 0.16,
-       .misconceptions = {{0.4, "A correction may be negative: only the sum may not. Clamp the sum."},
-                          {0.24, both_move},
-                          {0.32, both_move}},
-       .tolerance = push_rounding},
-      contact.impulse);
-  boxes[1].velocity += 2;
-  update(contact, boxes);
-  grade.number({.what = "pulled up by 2 m/s more: impulse (N s)",
+      {.what = "three wheels, until no pair slips faster than 0.1 m/s: sweeps",
+       .value = 4,
+       .misconceptions =
+           {{0, "No sweep has been counted."},
+            {1, "After one sweep pair 1 slips at −0.5 m/s: look at all pairs, and at the size of the slip."},
+            {3, "One too few: after three sweeps pair 1 slips at 0.125 m/s."},
+            {5, "One too many: look at the slips after the sweep, not at those that it has found."},
+            {60, "It has not stopped before `most`: is the largest slip looked at anew after each sweep?"}}},
+      swept(train(), 0.1, 60).sweeps);
+  grade.number({.what = "until no pair slips faster than 0.125 m/s: sweeps",
+                .value = 3,
+                .misconceptions = {{4, "Three sweeps leave just 0.125 m/s, and that is not faster."}}},
+               swept(train(), 0.125, 60).sweeps);
+  grade.number({.what = "where no pair slips faster from the beginning: sweeps",
                 .value = 0,
-                .misconceptions = {{-0.64, "A contact cannot pull: its impulse is never below 0."}},
-                .tolerance = push_rounding},
-               contact.impulse);
-  grade.number(
-      {.what = "and what the box below keeps of it (m/s)",
-       .value = 0,
-       .misconceptions = {{0.32, contact.impulse < 0
-                                     ? ""
-                                     : "Apply what the clamp has left of the correction, not all of it."},
-                          {-0.28, "Apply the change of the sum, not the sum: it was given before in part."}},
-       .tolerance = push_rounding},
-      boxes[0].velocity);
+                .misconceptions = {{1, "Look before the first sweep as well."}}},
+               swept(train(), 5, 60).sweeps);
+  grade.number({.what = "at most two sweeps: sweeps",
+                .value = 2,
+                .misconceptions = {{4, "There are `most` sweeps at most, whatever slips then."},
+                                   {3, "One more than `most`."},
+                                   {1, "One less than `most`."}}},
+               swept(train(), 0.1, 2).sweeps);
 }
 
 }  // namespace
@@ -131,16 +107,19 @@ void grade_taking_back(Grade& grade) {
 Exercise exercise() {
   return {
       .lesson = 3,
-      .task = "One row update of Algorithm 1: the correction, the sum and its clamp, and both velocities.",
+      .task = "Sweeps over wheels whose rims touch, until no pair slips faster than a limit.",
       .file = "lessons/03_sequential_impulses/exercise.cpp",
       .hints =
-          {"What is j·v of this contact, and how much impulse makes it 0?",
-           "j = (-1, 1), so j M⁻¹ jᵀ = 1/m_below + 1/m_above. Add the correction to what was given so far.",
-           "Which of the two must not be negative, what it gives now or what it has given? The boxes feel "
-           "the other."},
+          {"What does a visit need to know of its two wheels? Lesson 02 has it for boxes; here j has one "
+           "number for each wheel, its radius.",
+           "The masses of lesson 02 are moments of inertia here. How often does a radius come into "
+           "j M⁻¹ jᵀ, and how often into what an impulse does to a spin?",
+           "Right after its own visit a pair never slips. When do you have to look, then, and at which pairs? "
+           "Do the three wheels of the grader by hand: radii 1, 0.5, 0.25 m, 1/I 0, 4, 16, spins 0, 2, 4."},
       .grade = [](Grade& grade) {
-        grade_tower(grade);
-        grade_taking_back(grade);
+        grade_visit(grade);
+        grade_sweep(grade);
+        grade_stop(grade);
       }};
 }
 

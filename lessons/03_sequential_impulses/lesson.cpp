@@ -1,6 +1,6 @@
-// Lesson 03. Sequential impulses: Algorithm 1 without its warm start, which is lesson 08.
+// Lesson 03. Sequential impulses: the middle of Algorithm 1, which lesson 08 completes.
 // A stack of boxes has begun to fall, and the ground and the boxes have to push it to rest. No matrix is
-// built. We go from contact to contact, ask how fast its own two boxes close in, push just hard enough to
+// built. We go from contact to contact, ask how fast its own two boxes approach each other, push just hard enough to
 // stop that, and let both boxes have the new velocities immediately. Then we go round again. Everything that
 // happens is kept, row by row, for the pictures and the table.
 #include "lesson.hpp"
@@ -21,7 +21,7 @@ void sweep(int number, VelocityProblem<double>& problem, List<RowRecord>& update
     const double mass = effective_mass(problem, row);  // 1 / (j M⁻¹ jᵀ)
     const double corrective = (row.bias - jv) * mass;  // (22) times Δt; the bias is ζ, here 0
     const double before = given;
-    given = std::max(before + corrective, 0.0);   // in total a contact pushes, never pulls
+    given = before + corrective;                  // in total
     apply_impulse(problem, row, given - before);  // (23), (21): to both boxes, immediately
 
     updates.push_back({{number, i, jv, 1 / mass, corrective, before, given}, problem.velocity});

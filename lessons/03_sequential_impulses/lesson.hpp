@@ -43,7 +43,7 @@ List<double> lambda_after(const StackRun& run, int sweep);
 /// Gauss-Seidel on A lambda = b in plain loops: lambda [N] of each row after every sweep, [sweep][row].
 List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps);
 
-/// How fast two boxes fall [m/s] after a push has made them alike: it does not change their momentum.
+/// How fast two boxes fall [m/s] after a push has made them equally fast: it does not change their momentum.
 double shared_speed(double mass_a, double speed_a, double mass_b, double speed_b);
 
 /// What one sweep leaves of the error: rho = cos^2(pi / 2n), derived in README.md.

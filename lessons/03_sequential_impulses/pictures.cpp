@@ -62,7 +62,7 @@ Equation equation_22(const Page& page, const StackRun& run, const Moment& moment
   const RowUpdate<double>& update = run.updates[moment.update].update;
   const double dt = run.settings.dt;
   Equation equation;
-  equation.number = "line 9 of Algorithm 1: eq (22)";
+  equation.number = "eq (22)";
   equation.symbols = "λ_{corrective} = (ζ − j·v) / (j M^{−1} j^{T} Δt)";
   equation.numbers = fmt::format("= (0 − {}) / ({:g} × {:g})", in_brackets(fixed(update.row_velocity, 4)),
                                  update.inverse_mass, dt);
@@ -71,16 +71,15 @@ Equation equation_22(const Page& page, const StackRun& run, const Moment& moment
   return equation;
 }
 
-/// Lines 10 to 13 of Algorithm 1 with what they have done.
-TableView algorithm_1(const StackRun& run, const Moment& moment) {
+/// What the row had given before the visit, what it gives, and the sum.
+TableView ledger(const StackRun& run, const Moment& moment) {
   const RowUpdate<double>& update = run.updates[moment.update].update;
   const int row = run.interface_of_row[update.row] + 1;
   const double dt = run.settings.dt, before = update.impulse_before / dt, after = update.impulse_after / dt;
-  return {.header = {"lines 10 to 13", fmt::format("λ_{{{}}} (N)", row)},
-          .rows = {{"10  λ_{old} ← λ", fixed(before, 2)},
-                   {"11  λ ← λ + λ_{corrective}", fixed(before + update.corrective / dt, 2)},
-                   {"12  clamp λ: at least 0", fixed(after, 2)},
-                   {"13  apply λ − λ_{old} to both", fixed(after - before, 2)}}};
+  return {.header = {fmt::format("row {}", row), "N"},
+          .rows = {{"λ before the visit", fixed(before, 2)},
+                   {"λ_{corrective}, to both boxes", fixed(after - before, 2)},
+                   {"λ after it", fixed(after, 2)}}};
 }
 
 void draw_update(Page& page, const StackRun& run, int update) {
@@ -90,7 +89,7 @@ void draw_update(Page& page, const StackRun& run, int update) {
   draw_stack(page, parts[0], run, moment);
   draw_bars(page, parts[1], lambda_bars(run, moment));
   page.equation(parts[2], equation_22(page, run, moment));
-  page.table(parts[3], "", algorithm_1(run, moment));
+  page.table(parts[3], "", ledger(run, moment));
 }
 
 /// The lowest, the middle and the uppermost box over the sweeps.

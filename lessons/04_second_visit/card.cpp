@@ -6,10 +6,10 @@ namespace cairn {
 const LessonCard lesson04(
     {.number = 4,
      .name = "second_visit",
-     .title = "Clamp the sum",
+     .title = "The second visit",
      .idea = "A contact must not pull, so something has to be clamped at 0: each push, or the sum of all "
              "pushes? Only one of the two lets a box stand.",
-     .paper = "paper 3.2, second paragraph, and Algorithm 1",
+     .paper = "paper 3.2, second paragraph",
      .equations =
          {"(22)  p_corr = (ζ − j·v) / (j M⁻¹ jᵀ)          the correction of this visit [N s]; here ζ = 0",
           "3.2   p ← max(0, p + p_corr)                  clamps the sum",

@@ -1,4 +1,4 @@
-// Lesson 04. Clamp the sum: a contact may take back what it gave.
+// Lesson 04. The second visit: a contact may take back what it gave.
 // A box lands on two feet. Sequential impulses stop the left foot, then the right one, and that makes the
 // left one rise: it has given too much. A contact must not pull, so something has to be clamped at 0; the
 // question is what. We land the box three times: each push clamped, the sum of a foot's pushes clamped

@@ -1,4 +1,4 @@
-// Prints the visits and what becomes of the box, and checks them against formulas, PGS and the library.
+// Prints the visits and what becomes of the box, and checks them against formulas, a second account and the library.
 #include "lesson.hpp"
 
 namespace cairn::feet {
@@ -57,7 +57,7 @@ void check_sums(Lesson& lesson, const FeetRun& run) {
     gap = std::max(gap, largest_gap(last.after, sums_by_formula(box, speed, sweep)));
   }
   lesson.check_small("the sum: m v/2 (1 + q²ᵏ⁻¹), m v/2 (1 − q²ᵏ) after k sweeps (N s)", gap, rounding);
-  lesson.check_small("PGS on A λ = b, which clamps λ itself: the same (N s)",
+  lesson.check_small("the same sums, computed a second way (N s)",
                      largest_gap(box.of_matrix, box.by(Clamped::sum).impulse), rounding);
   lesson.check_small("the library's solver with either clamp: the same bits (N s)",
                      gap_to_library(box, run.settings), 0);

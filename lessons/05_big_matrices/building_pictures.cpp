@@ -134,7 +134,7 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
                            .numbers = fmt::format("= {}/{} − {}/{}", brief(run.system.zeta(row)), dt,
                                                   in_brackets(brief(jv)), dt),
                            .result = fmt::format("= {} m/s²", brief(run.system.b(row))),
-                           .algorithm = std::abs(jv) > 0 ? "this contact closes in" : "both fall alike"});
+                           .algorithm = std::abs(jv) > 0 ? "its boxes approach" : "equally fast"});
 }
 
 Shot entry_shot(const StackRun& run, int i, int j) {

@@ -31,7 +31,7 @@ const LessonCard lesson05(
                 "them."},
                {{10, 10, 10},
                 {10, 10, 10},
-                "All boxes fall alike, but a row looks at the difference between its two "
+                "All boxes fall equally fast, but a row looks at the difference between its two "
                 "bodies."},
                {{-10, 0, 0},
                 {-10, 0, 0},

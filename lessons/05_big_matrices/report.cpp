@@ -176,7 +176,7 @@ void check_solution(Lesson& lesson, const StackRun& run) {
   // b is then ζ/Δt alone.
   const double without = lambda_by_formula(run, 0) - mass_above(run, 0) * gravity;
   lesson.check_equal("gravity not in v₁: λ₁ holds nothing up (N)", run.lambda_without(0), without, solved);
-  lesson.check_equal("and the lowest contact closes in by g Δt more than it should (m/s)",
+  lesson.check_equal("and the lowest box meets the ground g Δt faster than it should (m/s)",
                      system.zeta(0) - system.J.row(0).dot(run.velocity_without), gravity * dt,
                      remainder + 16 * epsilon * gravity * dt);
 }

@@ -82,7 +82,7 @@ void draw_errors(Page& page, const SweepRun& run) {
             "Only row 1 has b ≠ 0. If the sweeps go from the ground up, the first one carries that to the "
             "top. If they go from the top down, it climbs one contact a sweep. Then a sweep leaves "
             "ρ = cos²(π/2n) of every error.");
-  page.table(parts[2], "what a sweep leaves", shares_left(run.settings.boxes));
+  page.table(parts[2], "left after a sweep", shares_left(run.settings.boxes));
 }
 
 Color color_of(const Theme& theme, const Bounds<double>& bounds) {

@@ -17,10 +17,10 @@ const LessonCard lesson08(
      .needs = {"lesson 03", "lesson 04"},
      .reads = {"src/world/world.cpp", "src/constraints/row.hpp"},
      .question =
-         "A tower of 10 boxes does 50 sweeps in each step, always from nothing. In 300 steps its top sinks "
+         "A tower of 10 boxes does 50 sweeps in each step, always from zero. In 300 steps its top sinks "
          "by "
-         "559\u00a0mm. With how many sweeps is its top never that deep, if each step begins with the "
-         "impulses of the last one?",
+         "559\u00a0mm. Now let each step start from the impulses of the last one. How few sweeps a step keep the "
+         "top above that mark, for all 300 steps?",
      .spoilers = {"184", "single warm sweep", "0.9755"},
      .unasked = {"boxes", "sweeps", "steps", "dt"},  // the question has their numbers
      .wrong = {{{2},
@@ -29,7 +29,7 @@ const LessonCard lesson08(
                 "answer."},
                {{50},
                 {1000},
-                "So many are needed if each step begins with nothing. Here the impulses stay."}},
+                "So many are needed if each step begins from zero. Here the impulses stay."}},
      .hints = {"Warm or cold, a sweep leaves the same share of an error. What differs is the error it finds.",
                "Cold, each of the 300 steps begins with an error of 100 % and throws its 50 sweeps away.",
                "Warm, the sweeps of 300 steps work on one answer. One answer takes some 200 sweeps."},

@@ -1,7 +1,7 @@
 // Lesson 08. Warm start: the first part of Algorithm 1, which lesson 03 left out.
 // A tower that stood a moment ago still stands, and its contacts push as hard as before. So the sweeps of a
 // step begin with the impulses of the last one, and each impulse has to find its own row again: it is kept
-// under the row's key. Three towers show what that is worth: one begins every step from nothing, one from
+// under the row's key. Three towers show what that is worth: one begins every step from zero, one from
 // its own impulses, one from those of the contact below. Two more runs go by the number of a row, not its
 // key.
 #include "lesson.hpp"
@@ -23,7 +23,7 @@ double remembered(const Memory& last, const RowKey& key) {
 
 /// Lines 2-6 of Algorithm 1: what the rows of a step begin with.
 PerRow<double> first_guess(const VelocityProblem<double>& problem, Start start, const Memory& last) {
-  PerRow<double> guess(problem.row_count(), 0.0);  // cold: from nothing
+  PerRow<double> guess(problem.row_count(), 0.0);  // cold: from zero
   for (int i = 0; i < guess.size(); ++i) {
     const int below = i < 2 ? i : i - 2;  // a contact between two boxes has two rows
     if (start == Start::warm) guess[i] = remembered(last, problem.rows[i].key);
@@ -101,7 +101,7 @@ void run(Lesson& lesson) {
   tell_price(lesson, all);
   tell_order(lesson, all);
   lesson.answer({static_cast<double>(all.few)}, 0,
-                "The impulses stay, so the sweeps of all steps work on one answer; begun from nothing, each "
+                "The impulses stay, so the sweeps of all steps work on one answer; begun from zero, each "
                 "step throws its sweeps away.");
   check_claims(lesson, all);
   lesson.film(start_shots(all));

@@ -1,4 +1,4 @@
-// Lesson 08. A tower that begins every step from nothing, from last step's impulses, or from those of another
+// Lesson 08. A tower that begins every step from zero, from last step's impulses, or from those of another
 // row.
 #pragma once
 
@@ -102,7 +102,7 @@ TowerAtRest tower_found_from_the_top(const StartSettings& settings);
 /// What the first guesses [N s], one for each row of the problem, do to the boxes.
 ReversedStep begun_with(VelocityProblem<double> problem, const PerRow<double>& by_key,
                         const PerRow<double>& by_number, int sweeps);
-/// One step from nothing, until the lowest contact lacks wanted_error, and some sweeps more.
+/// One step from zero, until the lowest contact lacks wanted_error, and some sweeps more.
 ColdSweeps sweep_cold(int boxes, double dt);
 
 /// What so few warm sweeps cost: while their top is deeper than that of many cold ones.

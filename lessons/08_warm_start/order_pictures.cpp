@@ -50,7 +50,7 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
                                              {color, {10, 5, 2, 5}, Marker::triangle},
                                              {color, {10, 6}, Marker::square},
                                              {color, {}, Marker::circle}}};
-  Plot plot{.title = "what the lowest of n contacts lacks, in one step from nothing"};
+  Plot plot{.title = "what the lowest of n contacts lacks, in one step from zero"};
   plot.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1, .max = 1500};
   plot.y = {.scale = AxisScale::logarithmic, .min = 0.005, .max = 1};
   for (int s = 0; s < all.sweeps.size(); ++s) {
@@ -168,7 +168,7 @@ List<Shot> order_shots(const WarmStart& all) {
                "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
                "swings below a line that falls half as steeply.",
                draw_errors),
-      key_shot(all, "one step from nothing",
+      key_shot(all, "one step from zero",
                "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
                draw_cold_sweeps),
       key_shot(all, "rows in another order",

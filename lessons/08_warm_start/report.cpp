@@ -107,10 +107,10 @@ void check_order(Lesson& lesson, const WarmStart& all) {
 
 std::string question_of(const WarmStart& all) {
   return fmt::format(
-      "A tower of {} boxes does {} sweeps in each step, always from nothing. In {} steps its top sinks by "
-      "{:.0f}\u00a0mm. With how many sweeps is its top never that deep, if each step begins with the "
-      "impulses of the last one?",
-      all.settings.boxes, many_sweeps, question_steps, -risen(all.many_cold, question_steps));
+      "A tower of {} boxes does {} sweeps in each step, always from zero. In {} steps its top sinks by "
+      "{:.0f}\u00a0mm. Now let each step start from the impulses of the last one. How few sweeps a step keep "
+      "the top above that mark, for all {} steps?",
+      all.settings.boxes, many_sweeps, question_steps, -risen(all.many_cold, question_steps), question_steps);
 }
 
 void tell_scene(Lesson& lesson, const StartSettings& settings) {
@@ -150,7 +150,7 @@ void tell_loads(Lesson& lesson, const WarmStart& all) {
 }
 
 void tell_sweeps(Lesson& lesson, const WarmStart& all) {
-  lesson.print("one step from nothing: sweeps until the lowest contact lacks 1 %");
+  lesson.print("one step from zero: sweeps until the lowest contact lacks 1 %");
   for (const ColdSweeps& cold : all.sweeps) {
     lesson.print(fmt::format("  {:>2} boxes {:>6} sweeps    ln(800/π²) / (−2 ln cos(π/2n)) = {:.1f}",
                              cold.boxes, cold.needed, needed_by_formula(cold.boxes)));

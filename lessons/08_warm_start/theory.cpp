@@ -32,7 +32,7 @@ void sweep_line(Line& line, double dt) {
   }
 }
 
-/// b of (15) for masses that all fall alike is zero but for the ground's contact.
+/// b of (15) for masses that all fall equally fast is zero but for the ground's contact.
 Eigen::MatrixXd tower_matrix(int boxes) {
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(boxes, boxes);
   for (int i = 0; i < boxes; ++i) {

@@ -77,7 +77,7 @@ static void grade_correction(cairn::Grade& grade) {
                  {-slanted_rate, "That is a velocity: multiply by the effective mass."}}},
                correction(slanted_row(1, 2), bodies));
   // The bodies in each other's place: j·v is -2.65 + 1.6, and j M⁻¹ jᵀ is 2.75 + 1.25.
-  grade.number({"correction for a row whose points close in (N s)",
+  grade.number({"correction for a row whose points approach each other (N s)",
                 1.05 / 4,
                 {{-1.05 / 4, "The sign: (22) has ζ − j·v, and ζ is 0 here."},
                  {0, "Nothing is clamped here: a row pushes and pulls."}}},

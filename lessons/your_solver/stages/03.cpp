@@ -105,7 +105,7 @@ static void grade_tower(cairn::Grade& grade) {
   grade.number({"tower of 2, 0.5 and 1 kg, one sweep: impulse on the ground (N s)",
                 line.impulse[1],
                 {{0, "row.impulse has not changed: add the push to the rows of the list."},
-                 {-line.impulse[1], "The sign: boxes that close in are pushed apart."}}},
+                 {-line.impulse[1], "The sign: boxes that approach are pushed apart."}}},
                rows[0].impulse);
   // What an impulse of 0 comes from shows in the velocities, and in a second sweep.
   std::vector<Body> later_bodies = bodies;
