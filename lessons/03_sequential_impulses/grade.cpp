@@ -32,30 +32,31 @@ void grade_visit(Grade& grade) {
   grade.number(
       {.what = "two wheels, one visit: spin of the first (rad/s)",
        .value = 1.5,
-       .misconceptions =
-           {{3, b == 3 ? "Nothing has turned: change the wheels of the list."
-                       : "The push has two ends: it changes the first wheel, too."},
-            {4.5, "The sign: the impulse is −j·v / (j M⁻¹ jᵀ)."},
-            {2.1, "Two wheels that both turn counterclockwise slip: j·v is a sum here."},
-            {3 - 7.5 / 7, "(22): each radius comes in squared, as j stands twice in j M⁻¹ jᵀ."},
-            {2.4, "The radii are missing in j M⁻¹ jᵀ: j is (r_a, r_b)."},
-            {-0.75, one_wheel},
-            {0.5, one_wheel},
-            {-4.5, "A slip is no impulse: divide it by j M⁻¹ jᵀ."},
-            {3 - 37.5, "Divide by j M⁻¹ jᵀ: do not multiply."},
-            {2.25, "A push at the rim turns a large wheel more: M⁻¹ jᵀ λΔt has the radius in it."},
-            {0, "M⁻¹ is missing: the inverse of I says how much an impulse changes a spin."},
-            {-3, "inverse_inertia is 1/I already: multiply by it."}},
+       .misconceptions = {{3, b == 3 ? "Nothing has turned: change the wheels of the list."
+                                     : "The push has two ends: it changes the first wheel, too."},
+                          {4.5, "The sign: the impulse is −j·v / (j M⁻¹ jᵀ)."},
+                          {2.1, "Two wheels that both turn counterclockwise slip: j·v is a sum here."},
+                          {3 - 7.5 / 7, "(22): each radius comes in squared, as j stands twice in j M⁻¹ jᵀ."},
+                          {2.4, "The radii are missing in j M⁻¹ jᵀ: j is (r_a, r_b)."},
+                          {-0.75, one_wheel},
+                          {0.5, one_wheel},
+                          {-4.5, "A slip is no impulse: divide it by j M⁻¹ jᵀ."},
+                          {3 - 37.5, "Divide by j M⁻¹ jᵀ: do not multiply."},
+                          {2.25,
+                           "A push at the rim turns a large wheel more: M⁻¹ jᵀ λΔt has the radius in it."},
+                          {0, "M⁻¹ is missing: the inverse of I says how much an impulse changes a spin."},
+                          {-3, "inverse_inertia is 1/I already: multiply by it."}},
        .tolerance = few_roundings},
       a);
-  grade.number({.what = "and of the second (rad/s)",
-                .value = -6,
-                .misconceptions = {{3, a == 1.5 ? "The push has two ends: it changes the second wheel, too." : ""},
-                                   {12, "Both numbers of j are positive here: both spins change the same way."},
-                                   {-15, "The radius of the second wheel is missing."},
-                                   {2.25, "M⁻¹ of the second wheel is missing."}},
-                .tolerance = few_roundings},
-               b);
+  grade.number(
+      {.what = "and of the second (rad/s)",
+       .value = -6,
+       .misconceptions = {{3, a == 1.5 ? "The push has two ends: it changes the second wheel, too." : ""},
+                          {12, "Both numbers of j are positive here: both spins change the same way."},
+                          {-15, "The radius of the second wheel is missing."},
+                          {2.25, "M⁻¹ of the second wheel is missing."}},
+       .tolerance = few_roundings},
+      b);
 }
 
 void grade_sweep(Grade& grade) {
@@ -114,7 +115,8 @@ Exercise exercise() {
            "number for each wheel, its radius.",
            "The masses of lesson 02 are moments of inertia here. How often does a radius come into "
            "j M⁻¹ jᵀ, and how often into what an impulse does to a spin?",
-           "Right after its own visit a pair never slips. When do you have to look, then, and at which pairs? "
+           "Right after its own visit a pair never slips. When do you have to look, then, and at which "
+           "pairs? "
            "Do the three wheels of the grader by hand: radii 1, 0.5, 0.25 m, 1/I 0, 4, 16, spins 0, 2, 4."},
       .grade = [](Grade& grade) {
         grade_visit(grade);

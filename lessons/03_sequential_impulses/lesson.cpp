@@ -1,8 +1,8 @@
 // Lesson 03. Sequential impulses: the middle of Algorithm 1, which lesson 08 completes.
 // A stack of boxes has begun to fall, and the ground and the boxes have to push it to rest. No matrix is
-// built. We go from contact to contact, ask how fast its own two boxes approach each other, push just hard enough to
-// stop that, and let both boxes have the new velocities immediately. Then we go round again. Everything that
-// happens is kept, row by row, for the pictures and the table.
+// built. We go from contact to contact, ask how fast its own two boxes approach each other, push just hard
+// enough to stop that, and let both boxes have the new velocities immediately. Then we go round again.
+// Everything that happens is kept, row by row, for the pictures and the table.
 #include "lesson.hpp"
 
 namespace {

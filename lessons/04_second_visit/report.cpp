@@ -1,4 +1,5 @@
-// Prints the visits and what becomes of the box, and checks them against formulas, a second account and the library.
+// Prints the visits and what becomes of the box, and checks them against formulas, a second account and the
+// library.
 #include "lesson.hpp"
 
 namespace cairn::feet {

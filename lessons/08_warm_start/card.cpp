@@ -19,7 +19,8 @@ const LessonCard lesson08(
      .question =
          "A tower of 10 boxes does 50 sweeps in each step, always from zero. In 300 steps its top sinks "
          "by "
-         "559\u00a0mm. Now let each step start from the impulses of the last one. How few sweeps a step keep the "
+         "559\u00a0mm. Now let each step start from the impulses of the last one. How few sweeps a step keep "
+         "the "
          "top above that mark, for all 300 steps?",
      .spoilers = {"184", "single warm sweep", "0.9755"},
      .unasked = {"boxes", "sweeps", "steps", "dt"},  // the question has their numbers
@@ -27,9 +28,7 @@ const LessonCard lesson08(
                 {49},
                 "Fewer will do: the impulses stay, so the sweeps of all steps work on one "
                 "answer."},
-               {{50},
-                {1000},
-                "So many are needed if each step begins from zero. Here the impulses stay."}},
+               {{50}, {1000}, "So many are needed if each step begins from zero. Here the impulses stay."}},
      .hints = {"Warm or cold, a sweep leaves the same share of an error. What differs is the error it finds.",
                "Cold, each of the 300 steps begins with an error of 100 % and throws its 50 sweeps away.",
                "Warm, the sweeps of 300 steps work on one answer. One answer takes some 200 sweeps."},

@@ -60,17 +60,16 @@ const double infinity = std::numeric_limits<double>::infinity();
 //@ 1
 
 struct Row {
-  int body1 = 0, body2 = 0;  // places in the list of bodies
-  Vec3 j1 = {}, j2 = {};     // j (5): three numbers for each body
-  double c = 0;              // the constraint error (3)
-                             //@ 2
-  double bias = 0;           // ζ, the j·v that the row wants
-                             //@ 3
-  double lower = -infinity;  // bounds of the impulse
-  double upper = infinity;
-  double impulse = 0;           // λΔt, in total
-                                //@ 8
-  std::array<int, 3> key = {};  // what the row is called from step to step
+  int body1 = 0, body2 = 0;                    // places in the list of bodies
+  Vec3 j1 = {}, j2 = {};                       // j (5): three numbers for each body
+  double c = 0;                                // the constraint error (3)
+                                               //@ 2
+  double bias = 0;                             // ζ, the j·v that the row wants
+                                               //@ 3
+  double lower = -infinity, upper = infinity;  // bounds of the impulse
+  double impulse = 0;                          // λΔt, in total
+                                               //@ 8
+  std::array<int, 3> key = {};                 // what the row is called from step to step
   //@ 1
 };
 

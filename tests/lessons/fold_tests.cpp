@@ -101,7 +101,8 @@ Words headings_of(const std::string& text) {
 void check_order(const std::string& text) {
   const Words headings = headings_of(text);
   std::size_t last = 0;
-  for (const char* name : {"The question", "The answer", "What to look at", "Run it", "Your turn", "Read on"}) {
+  for (const char* name :
+       {"The question", "The answer", "What to look at", "Run it", "Your turn", "Read on"}) {
     CAPTURE(name);
     const auto found = std::find(headings.begin(), headings.end(), name);
     REQUIRE(found != headings.end());

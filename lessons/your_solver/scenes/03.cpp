@@ -1,4 +1,5 @@
-// Stage 03, filmed: a box comes down on two legs, held by pushes that are clamped one by one. It hops; stage 04 mends that.
+// Stage 03, filmed: a box comes down on two legs, held by pushes that are clamped one by one. It hops; stage
+// 04 mends that.
 #include "02.cpp"
 
 namespace cairn::filmed {
@@ -62,7 +63,7 @@ static void film_03(Motion& motion) {
     if (k % 4 == 0) {
       motion.frame(k * 0.02);
       note_feet(motion, bodies, forces);
-      motion.words("each push is clamped: it hops until stage 04");
+      motion.words("it should stand; stage 04 says why it does not");
     }
     move_bodies(bodies, 0.02);
   }

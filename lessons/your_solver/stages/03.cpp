@@ -1,5 +1,5 @@
-// Stage 03, graded: the row of a contact, and sweeps over a tower of 2, 0.5 and 1 kg, held against plain loops
-// on a line.
+// Stage 03, graded: the row of a contact, and sweeps over a tower of 2, 0.5 and 1 kg, held against plain
+// loops on a line.
 #include "02.cpp"
 
 static void grade_contact(cairn::Grade& grade) {
@@ -129,11 +129,12 @@ static void grade_tower(cairn::Grade& grade) {
   grade.number(
       {"of the third row (N s)",
        line.impulse[3],
-       {{0, !is_kept               ? ""
-            : rows[1].impulse != 0 ? "The last row was not visited."
-            : later[1].impulse == 0 || !has_moved || later_line.impulse[1] == later[0].impulse
-                ? why_nothing
-                : "No row has changed a velocity in time: apply each push immediately, not after the sweep."}}},
+       {{0,
+         !is_kept               ? ""
+         : rows[1].impulse != 0 ? "The last row was not visited."
+         : later[1].impulse == 0 || !has_moved || later_line.impulse[1] == later[0].impulse
+             ? why_nothing
+             : "No row has changed a velocity in time: apply each push immediately, not after the sweep."}}},
       rows[2].impulse);
   grade.number(
       {"velocity of the lowest box (m/s)",
