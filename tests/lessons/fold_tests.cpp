@@ -100,8 +100,8 @@ Words headings_of(const std::string& text) {
 void check_order(const std::string& text) {
   const Words headings = headings_of(text);
   std::size_t last = 0;
-  for (const char* name : {"The question", "The answer", "What to look at", "Run it", "Your turn",
-                           "What it checks", "Read on"}) {
+  for (const char* name :
+       {"The question", "The answer", "What to look at", "Run it", "Your turn", "Read on"}) {
     CAPTURE(name);
     const auto found = std::find(headings.begin(), headings.end(), name);
     REQUIRE(found != headings.end());
@@ -111,6 +111,8 @@ void check_order(const std::string& text) {
   }
   CHECK(headings[0] == "The question");
   CHECK(headings[1] == "The answer");
+  CHECK((text.find("\n## What it checks\n") != std::string::npos ||
+         text.find("\n<details><summary>What it checks</summary>\n") != std::string::npos));
 }
 
 }  // namespace

@@ -53,60 +53,71 @@ struct LineTower {
   }
 };
 
-static void grade_tower(cairn::Grade& grade) {
+/// A tower of 2, 0.5 and 1 kg that falls: as bodies and rows, and as masses on a line.
+struct SweptTower {
   const std::vector<double> masses = {2, 0.5, 1};
   std::vector<Body> bodies = falling_tower(masses, 0.5);
   std::vector<Row> rows = tower_rows(3);
-  LineTower line(masses, 0.5);
-  sweep(rows, bodies);
-  line.sweep_by_hand();
+  LineTower line = LineTower(masses, 0.5);
+
+  void sweep_both() {
+    sweep(rows, bodies);
+    line.sweep_by_hand();
+  }
+};
+
+/// What an impulse of 0 in the second row comes from: the velocities show it, and a second sweep.
+static const char* tower_why_nothing(const SweptTower& once, const SweptTower& twice) {
+  if (once.rows[0].impulse == 0) return "";
+  if (once.bodies[1].velocity[1] < -0.5) return "The sign: apply the push as it is.";
+  if (std::abs(twice.rows[0].impulse - twice.line.impulse[1]) < 1e-9)
+    return "The order: a sweep goes from the first row to the last.";
+  if (once.bodies[1].velocity[1] == -0.5) return "No row has changed a velocity: apply each push at once.";
+  return twice.rows[1].impulse == 0 ? "The second row was not visited: a sweep visits all rows."
+                                    : "Apply each push at once, not after the sweep.";
+}
+
+/// The same of the third.
+static const char* tower_why_no_third(const SweptTower& once, const SweptTower& twice) {
+  if (once.rows[0].impulse == 0) return "";
+  if (once.rows[1].impulse != 0) return "The last row was not visited.";
+  const bool is_other = twice.rows[1].impulse == 0 || once.bodies[1].velocity[1] == -0.5 ||
+                        twice.line.impulse[1] == twice.rows[0].impulse;
+  return is_other ? tower_why_nothing(once, twice)
+                  : "No row has changed a velocity in time: apply each push at once, not after the sweep.";
+}
+
+static void grade_tower(cairn::Grade& grade) {
+  SweptTower once;
+  once.sweep_both();
+  SweptTower twice = once;
+  twice.sweep_both();
+  const LineTower& line = once.line;
+  const std::vector<Row>& rows = once.rows;
   grade.number({"tower of 2, 0.5 and 1 kg, one sweep: impulse on the ground (N s)",
                 line.impulse[1],
                 {{0, "row.impulse has not changed: add the push to the rows of the list."},
                  {-line.impulse[1], "The sign: boxes that close in are pushed apart."}}},
                rows[0].impulse);
-  // What an impulse of 0 comes from shows in the velocities, and in a second sweep.
-  std::vector<Body> later_bodies = bodies;
-  std::vector<Row> later = rows;
-  sweep(later, later_bodies);
-  LineTower later_line = line;
-  later_line.sweep_by_hand();
-  const bool is_kept = rows[0].impulse != 0, has_moved = bodies[1].velocity[1] != -0.5;
-  const char* why_nothing = "No row has changed a velocity: apply each push at once.";
-  if (has_moved) why_nothing = "Apply each push at once, not after the sweep.";
-  if (has_moved && later[1].impulse == 0)
-    why_nothing = "The second row was not visited: a sweep visits all rows.";
-  if (std::abs(later[0].impulse - later_line.impulse[1]) < 1e-9)
-    why_nothing = "The order: a sweep goes from the first row to the last.";
-  if (bodies[1].velocity[1] < -0.5) why_nothing = "The sign: apply the push as it is.";
-  if (!is_kept) why_nothing = "";
-  grade.number({"of the second row (N s)",
-                line.impulse[2],
-                {{0, why_nothing}, {2 * line.impulse[2], "Each push has been applied twice."}}},
-               rows[1].impulse);
   grade.number(
-      {"of the third row (N s)",
-       line.impulse[3],
-       {{0, !is_kept               ? ""
-            : rows[1].impulse != 0 ? "The last row was not visited."
-            : later[1].impulse == 0 || !has_moved || later_line.impulse[1] == later[0].impulse
-                ? why_nothing
-                : "No row has changed a velocity in time: apply each push at once, not after the sweep."}}},
-      rows[2].impulse);
+      {"of the second row (N s)",
+       line.impulse[2],
+       {{0, tower_why_nothing(once, twice)}, {2 * line.impulse[2], "Each push has been applied twice."}}},
+      rows[1].impulse);
+  grade.number({"of the third row (N s)", line.impulse[3], {{0, tower_why_no_third(once, twice)}}},
+               rows[2].impulse);
   grade.number(
       {"velocity of the lowest box (m/s)",
        line.v[1],
        {{0, rows[1].impulse == 0 ? "" : "The second row pushes the lowest box down again: both ends."},
         {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}},
-      bodies[1].velocity[1]);
-  const double first = line.impulse[1];
-  sweep(rows, bodies);
-  line.sweep_by_hand();
+      once.bodies[1].velocity[1]);
+  const double first = line.impulse[1], second = twice.line.impulse[1];
   grade.number({"two sweeps: impulse on the ground (N s)",
-                line.impulse[1],
-                {{line.impulse[1] - first, "The second push has replaced the first: row.impulse is the sum."},
+                second,
+                {{second - first, "The second push has replaced the first: row.impulse is the sum."},
                  {first, rows[1].impulse == 0 ? "" : "The second sweep has not pushed."}}},
-               rows[0].impulse);
+               twice.rows[0].impulse);
 }
 
 static void grade_two_sweeps(cairn::Grade& grade) {
