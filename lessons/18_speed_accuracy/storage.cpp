@@ -1,6 +1,7 @@
 // What a solver takes before its first sweep, and what a row update takes where rows fill more than a cache.
 #include "lesson.hpp"
 
+#include <Eigen/LU>
 #include <chrono>
 
 #include "lessons/kit/random.hpp"
