@@ -19,11 +19,13 @@ const LessonCard lesson22(
          "all rows at once the middle load sinks by 2\u00a0mm. With 20 sweeps in each solve no joint "
          "ever opens by more than 12\u00a0mm. By how many centimetres does the load sink then?",
      .spoilers = {"59 cm", "Pythagoras"},
-     .wrong = {{{0}, {3}, "The gaps of thirteen joints add up, and the planks need not stay level."},
-               {{10},
-                {20},
-                "So much longer the bridge gets, along itself. A rope that is a little longer hangs a lot "
-                "lower."}},
+     .unasked = {"stones", "tower"},
+     .wrong =
+         {{{0}, {3}, "The gaps of thirteen joints add up, and the planks need not stay level."},
+          {{10},
+           {20},
+           "That is what the gaps add up to, along the bridge. A rope that is a little longer hangs a lot "
+           "lower."}},
      .hints = {"What becomes of a level chain that is a little too long?",
                "Each half is the long side of a triangle. How high is that triangle?",
                "√((6 + x)² − 6²), where x is what the gaps of half a bridge add up to: less than 7 × 12 mm."},

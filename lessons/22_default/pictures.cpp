@@ -174,7 +174,7 @@ List<Shot> default_shots(const DefaultRuns& runs) {
       fmt::format(
           "{:.0f} cm, though no joint opens by more than {:.0f} mm: a level chain that is a little longer "
           "hangs a lot lower.",
-          100 * loose.sunk, 1000 * loose.gap)));
+          100 * loose.sunk, std::ceil(1000 * loose.gap))));
   return shots;
 }
 
