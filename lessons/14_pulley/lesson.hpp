@@ -77,6 +77,10 @@ struct CountedCalls {
   List<CallTimes> times = {};  // in the order of the scene, and by colours
 };
 
+/// The first step of the rope and a tower that stands beside it.
+VelocityProblem<double> rope_and_tower(const PulleySettings& settings);
+inline constexpr int tower_boxes = 20;
+
 CountedCalls count_calls(const PulleySettings& settings);
 /// Adds the times, which differ from machine to machine.
 void time_calls(CountedCalls& counted);

@@ -9,7 +9,7 @@ namespace cairn::pulley {
 
 namespace {
 
-constexpr int object_sweeps = 10, boxes_beside = 20;
+constexpr int object_sweeps = 10;
 
 /// Under SI an object needs the velocities of its own bodies.
 class SiObject {
@@ -99,14 +99,6 @@ class PgsObject {
   List<Row> rows_;
 };
 
-VelocityProblem<double> rope_beside_tower(const PulleySettings& settings) {
-  Scene scene = pulley_scene(settings);
-  scene.add_ground();
-  for (int i = 0; i < boxes_beside; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {20, i + 0.5}, .mass = 2, .material = {.friction = 0.5}});
-  return World<double>(scene).velocity_problem();
-}
-
 double largest_difference(const PerRow<double>& first, const PerRow<double>& second) {
   double largest = 0;
   for (int i = 0; i < first.size(); ++i) largest = std::max(largest, std::abs(first[i] - second[i]));
@@ -116,7 +108,7 @@ double largest_difference(const PerRow<double>& first, const PerRow<double>& sec
 }  // namespace
 
 ObjectSweeps sweep_objects(const PulleySettings& settings) {
-  const VelocityProblem<double> start = rope_beside_tower(settings);
+  const VelocityProblem<double> start = rope_and_tower(settings);
   VelocityProblem<double> data = start, si = start;
   SequentialImpulse<double>({.iterations = object_sweeps}).solve(data);
   List<std::unique_ptr<SiObject>> objects;
@@ -146,20 +138,20 @@ ObjectSweeps sweep_objects(const PulleySettings& settings) {
 void print_objects(Lesson& lesson, const ObjectSweeps& swept) {
   lesson.print(fmt::format(
       "A class for each kind, beside a tower of {} boxes: numbers of others' rows that the objects keep",
-      boxes_beside));
+      tower_boxes));
   lesson.print(fmt::format("  under SI none, under PGS {}", swept.pgs_others));
   lesson.print();
 }
 
 void check_objects(Lesson& lesson, const ObjectSweeps& swept) {
   // Ten sweeps over 81 rows, each a sum of a dozen products.
-  const double rounding = 16 * epsilon * object_sweeps * 4 * boxes_beside * swept.largest;
+  const double rounding = 16 * epsilon * object_sweeps * 4 * tower_boxes * swept.largest;
   lesson.check_small("SI by a class for each kind: the impulses of rows as data (N s)", swept.si_gap,
                      rounding);
   lesson.check_small("PGS by objects: the same impulses (N s)", swept.pgs_gap, rounding);
   // Four rows a contact; each contact but the last meets the one above, and that one meets it.
   lesson.check_equal("PGS by objects: numbers of others' rows to keep, 16 for each contact beside a contact",
-                     swept.pgs_others, 16.0 * 2 * (boxes_beside - 1), 0);
+                     swept.pgs_others, 16.0 * 2 * (tower_boxes - 1), 0);
 }
 
 }  // namespace cairn::pulley
