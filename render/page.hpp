@@ -11,7 +11,7 @@
 namespace cairn::render {
 
 struct Header {
-  std::string number = {};  // "06"
+  std::string number = {};  // "03"
   std::string title = {};
   std::string state = {};  // right, in mono: "sweep 2/10 · row 2 of 3"
   int frame = 0;           // from 0

@@ -21,7 +21,7 @@ const LessonCard lesson02(
          "A unit box of 6\u00a0kg falls at 1\u00a0m/s on a fixed peg. Below its centre, the peg stops it "
          "with 6\u00a0N\u00a0s. Below its corner, does it take more or less to stop the point above the "
          "peg, and how many N\u00a0s? The rest of the box may go on.",
-     .spoilers = {"2.4 N s", "2.4 kg", "Less: 2.4"},
+     .spoilers = {"2.4 N s", "2.4 kg", "less than half"},
      .unasked = {"dt"},
      .wrong = {{{6},
                 {6},
@@ -39,6 +39,6 @@ const LessonCard lesson02(
                     {"x", 0.5, 0.01, 0.5, "m", "the last place of the peg, right of the centre"},
                     {"dt", 0.02, 0.0001, 0.1, "s", "time step"}},
      .cover = 1,
-     .next = "bash lessons/run 3   (what ζ is for)"});
+     .next = "bash lessons/run 3   (the boxes of a stack, one push after the other)"});
 
 }  // namespace cairn

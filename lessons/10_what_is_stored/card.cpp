@@ -13,7 +13,7 @@ const LessonCard lesson10(
      .equations = {"(15)  A = J M⁻¹ Jᵀ                              m × m numbers for m rows",
                    "(30)  non-zero elements in A = Σ Σ δ(J_i · J_j)   as printed; δ: 1 where not 0",
                    "(22)  1 / (j M⁻¹ jᵀ)                            one number for each row"},
-     .needs = {"lesson 04", "lesson 06"},
+     .needs = {"lesson 03", "lesson 05"},
      .reads = {"src/solvers/non_zeros.hpp", "src/solvers/iterative/sparse_projected_gauss_seidel.hpp",
                "src/solvers/body_rows.hpp"},
      .question =

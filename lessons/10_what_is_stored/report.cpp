@@ -125,7 +125,7 @@ void check_solvers(Lesson& lesson, const StoredRun& run) {
       gap = std::max(gap, std::abs(kept.impulse[i] - run.kept[0].impulse[i]));
     }
   }
-  // As in lesson 08: 64 roundings of the largest number for each sweep are more than sums of 14 terms make.
+  // As in lesson 07: 64 roundings of the largest number for each sweep are more than sums of 14 terms make.
   lesson.check_small(fmt::format("all four: the same impulses after {} sweeps (N s)", run.settings.sweeps),
                      gap, 64 * epsilon * (1 + run.settings.sweeps) * scale);
 }

@@ -12,7 +12,7 @@ const LessonCard lesson11(
      .paper = "paper 2.2, \"interval of valid values\"; 4.4, contact and friction",
      .equations = {"j_n·v ≥ 0,  λ_n ≥ 0            normal row: the contact may push, never pull",
                    "j_t·v = 0,  |λ_t| ≤ μ λ_n      tangent row: Coulomb's law as bounds"},
-     .needs = {"lesson 06"},
+     .needs = {"lesson 03"},
      .reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
                "src/solvers/iterative/sequential_impulse.cpp"},
      .question = "A square block of 1 kg with μ = 0.5 slides down a slope of 30°. Friction is at its limit, "

@@ -14,7 +14,7 @@ const LessonCard lesson12(
      .equations = {"(22)  Aᵢᵢ Δλᵢ = (ζᵢ − jᵢ·v) / Δt             one row: a number to divide by",
                    "4.3   A_BB Δλ_B = (ζ_B − J_B v) / Δt          one joint: 2 rows of a pin, 3 of a weld",
                    "      A_BB = J_B M⁻¹ J_Bᵀ                     factorized once a step, not once a sweep"},
-     .needs = {"lesson 06"},
+     .needs = {"lesson 03"},
      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                "tests/solvers/iterative/block_tests.cpp"},
      .question =

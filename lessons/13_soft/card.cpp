@@ -14,7 +14,7 @@ const LessonCard lesson13(
                    "      γ = 1 / (Δt (d + Δt k)),  β = Δt k / (d + Δt k)",
                    "(15)  (A + γ) λ = b                               PGS: γ on the diagonal of A",
                    "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
-     .needs = {"lesson 03", "lesson 06"},
+     .needs = {"lesson 03", "lesson 09"},
      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
      .question = "A weight of 1 kg presses a spring of 2 Hz by 200 mm. As a force the spring would push with "
                  "−k c = 31.6\u00a0N; a rod whose row has the same β\u00a0=\u00a00.2 pushes with "

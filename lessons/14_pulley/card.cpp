@@ -13,7 +13,7 @@ const LessonCard lesson14(
      .equations =
          {"(5)   dc/dt = j·v,  j = (0, r₁, 0,  0, r₂, 0,  0, r₃, 0)     one row, three bodies",
           "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)                          with three terms in each sum"},
-     .needs = {"lesson 06"},
+     .needs = {"lesson 03"},
      .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
      .question =
          "Masses of 1, 2 and 3 kg hang on one rope over wheels without mass or friction, the 2 kg on two "

@@ -14,7 +14,7 @@ const LessonCard lesson15(
          {"(22)     λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         one row for each axis",
           "square   −μN ≤ λ_x ≤ μN,  −μN ≤ λ_y ≤ μN       two clamps: the pyramid, cut across",
           "circle   √(λ_x² + λ_y²) ≤ μN                   one clamp, of the vector: the cone, cut across"},
-     .needs = {"lesson 06", "lesson 11"},
+     .needs = {"lesson 03", "lesson 11"},
      .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
      .question =
          "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s; μ is 0.5, N is 10\u00a0N. With the length "

@@ -16,7 +16,7 @@ const LessonCard lesson16(
                    "      ω · largest eigenvalue of D⁻¹ A < 2  or it may not converge",
                    "      plain: Dᵢᵢ = Aᵢᵢ, ω = 1; damped: ω < 1; split: each body's part of Aᵢᵢ times its "
                    "number of rows"},
-     .needs = {"lesson 06", "lesson 11"},
+     .needs = {"lesson 03", "lesson 11"},
      .reads = {"src/solvers/iterative/jacobi.hpp", "src/solvers/iterative/jacobi.cpp",
                "src/solvers/row_order.hpp"},
      .question =

@@ -12,7 +12,7 @@ const LessonCard lesson17(
      .paper = "paper 4.5, with Box2D 2.4.1",
      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)          SI and Box2D",
                    "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii    PGS"},
-     .needs = {"lesson 06", "lesson 08"},
+     .needs = {"lesson 03", "lesson 07"},
      .reads = {"src/reference/box2d_world.hpp", "tests/reference/tower_tests.cpp"},
      .question =
          "In step 5 SI finds 133.51\u00a0N at the ground, instead of 100\u00a0N. Box2D differs from SI in "

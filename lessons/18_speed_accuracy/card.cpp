@@ -15,7 +15,7 @@ const LessonCard lesson18(
           "(28)  Gauss-Seidel, PGS or SI:  ρ = cos²(π/2n)     for a tower of n boxes",
           "      Jacobi, half steps:       ρ = cos²(π/4n)",
           "      SOR, Δλ times ω:          ρ = ω − 1            at the best ω = 2 / (1 + sin(π/2n))"},
-     .needs = {"lesson 06", "lesson 16"},
+     .needs = {"lesson 03", "lesson 16"},
      .reads = {"src/solvers/solver.hpp", "lessons/sandbox/CHOOSING.md"},
      .question =
          "Ten boxes: after 85 sweeps of SI 10\u00a0% of the error is left, after 178 sweeps 1\u00a0%. How "

@@ -15,7 +15,7 @@ const LessonCard lesson19(
                    "(7)   ζ = −β c / Δt                          c ← (1 − β) c: grows if β > 2",
                    "      L √(1 + φ²)                            a rod after a step in which it turns by φ",
                    "(14)  A λ = b                                two rows that contradict: no λ at all"},
-     .needs = {"lesson 03", "lesson 05", "lesson 06"},
+     .needs = {"lesson 03", "lesson 06", "lesson 09"},
      .reads = {"src/study/extremes/extreme.hpp", "src/world/world.cpp", "src/solvers/stopping.hpp"},
      .question =
          "A box of 1\u00a0kg carries one of 100\u00a0kg. How many sweeps until the load on the ground is "

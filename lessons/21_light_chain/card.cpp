@@ -13,7 +13,7 @@ const LessonCard lesson21(
      .paper = "beyond the paper",
      .equations = {"k = f / l                                  a taut rod, pushed sideways",
                    "x(k+1) − 2 x(k) + x(k−1) = −(ω Δt)² x(k)   a swing under semi-implicit Euler"},
-     .needs = {"lesson 06", "lesson 13", "lesson 19"},
+     .needs = {"lesson 03", "lesson 13", "lesson 19"},
      .reads = {"src/world/two_solves.cpp", "src/constraints/constraint.hpp"},
      .question = "Ten beads of 0.1\u00a0kg hang on rods of 0.5\u00a0m, one below the other, at Δt = "
                  "0.02\u00a0s. Every step is solved exactly. The load at the lower end grows. From how many "

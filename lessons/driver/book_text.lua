@@ -227,7 +227,7 @@ function text.with_terms(html, terms)
 end
 
 -- HTML of a text. `places` says where its links and pictures lead:
---   pages   "06_sequential_impulses" -> "lesson06.html"
+--   pages   "03_sequential_impulses" -> "lesson03.html"
 --   files   shown on this page: "exercise.cpp" -> "#exercise.cpp"; files that are quoted come to it here
 --   cover   HTML that stands for every picture of the text
 --   symbols of formulas, and terms: where they are explained

@@ -13,7 +13,7 @@ namespace cairn::driver {
 
 struct Program {
   int number = 0;
-  std::string name = {};            // "lesson06_sequential_impulses"
+  std::string name = {};            // "lesson03_sequential_impulses"
   std::filesystem::path path = {};  // may not have been built
   LessonInfo card = {};
 };
@@ -34,14 +34,14 @@ List<Program> built(const List<Program>& programs);
 /// @throws std::runtime_error that says how to build a lesson that is not built.
 void require_built(const Program& program);
 
-/// The lesson that a person means by "6", "06", "lesson06", "sequential_impulses" or the whole name; nullptr
+/// The lesson that a person means by "3", "03", "lesson03", "sequential_impulses" or the whole name; nullptr
 /// if none.
 const Program* find(const List<Program>& programs, std::string_view word);
 
-/// "06".
+/// "03".
 std::string two_digits(int number);
 
-/// The day a lesson was passed, by number, as kept in `lessons-progress.txt`: "06 passed 2026-11-20".
+/// The day a lesson was passed, by number, as kept in `lessons-progress.txt`: "03 passed 2026-11-20".
 using ProgressNotes = std::map<int, std::string>;
 ProgressNotes read_progress(const std::filesystem::path& file);
 /// Notes that a lesson was passed today. False when the file cannot be written.

@@ -124,7 +124,7 @@ int run_all(const Context& context, const List<std::string>& flags) {
                                 programs.back().name.substr(0, 8)));
   }
   console.narrate(
-      "One lesson with its text: bash lessons/run 6     what there is: bash lessons/run list     more: "
+      "One lesson with its text: bash lessons/run 3     what there is: bash lessons/run list     more: "
       "--help");
   if (failed > 0) console.result(fmt::format("{} of {} lessons failed", failed, programs.size()));
   return failed > 0 ? 1 : 0;
@@ -156,7 +156,7 @@ int next(const Context& context, const List<std::string>& flags) {
     return become(command(program, {}, flags));
   }
   console.result(
-      "Every lesson is done. bash lessons/run list shows them, bash lessons/run 6 runs one again.");
+      "Every lesson is done. bash lessons/run list shows them, bash lessons/run 3 runs one again.");
   return 0;
 }
 

@@ -36,8 +36,8 @@ constexpr const char* export_help =
   --panel NAME              only the panel that has NAME in its title
   --transparent             no background; for png and svg
 Other flags are the lesson's own, such as --bodies 10.
-Files: 06_sequential_impulses_0007_light.png is frame 7, and 06_sequential_impulses_0007.txt says what it
-shows. A film has no number in its name, and its captions beside it: 06_sequential_impulses.vtt.
+Files: 03_sequential_impulses_0007_light.png is frame 7, and 03_sequential_impulses_0007.txt says what it
+shows. A film has no number in its name, and its captions beside it: 03_sequential_impulses.vtt.
 Thirty frames are about 1 MB with --scale 0.75: only pixels that change are kept.
 )";
 

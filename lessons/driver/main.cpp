@@ -25,13 +25,13 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
 
   bash lessons/run             every lesson: one line each, pictures in out/
   bash lessons/run next        the first lesson that you have not passed
-  bash lessons/run 6           lesson 6: it asks, then shows; flags follow: 6 --bodies 10
-  bash lessons/run 6 --help    the flags of lesson 6
-  bash lessons/run check 6     its checks and your exercise; a pass is noted in lessons-progress.txt
-  bash lessons/run solver 4    grades stage 4 of your solver; 4 --begin writes its start, 4 --film draws it
+  bash lessons/run 3           lesson 3: it asks, then shows; flags follow: 3 --bodies 10
+  bash lessons/run 3 --help    the flags of lesson 3
+  bash lessons/run check 3     its checks and your exercise; a pass is noted in lessons-progress.txt
+  bash lessons/run solver 5    grades stage 5 of your solver; 5 --begin writes its start, 5 --film draws it
   bash lessons/run check --all the checks of every lesson, without the exercises
   bash lessons/run book        every lesson as a page for the browser, in out/book/
-  bash lessons/run export 6    its pictures for documents, with alt texts; export --help has the flags
+  bash lessons/run export 3    its pictures for documents, with alt texts; export --help has the flags
   bash lessons/run new NAME    a folder for a lesson of your own, which works at once: lessons/WRITING.md
   bash lessons/run playground  the core in a browser: one page, in out/playground/; installs emscripten
   bash lessons/run release     playground and book, tested, as they are published: out/release/

@@ -64,11 +64,11 @@ Options read_arguments(const LessonInfo& info, int argc, const char* const* argv
 /// The card of a run: without its question where that is about other values. card() loses it, too.
 LessonInfo card_for(const LessonInfo& info, const Options& options);
 
-/// "lesson06".
+/// "lesson03".
 std::string short_name(const LessonInfo& info);
-/// "lesson06_sequential_impulses".
+/// "lesson03_sequential_impulses".
 std::string program_name(const LessonInfo& info);
-/// What a reader types: "bash lessons/run 6".
+/// What a reader types: "bash lessons/run 3".
 std::string typed_command(const LessonInfo& info);
 /// "01" to "99".
 std::string two_digits(int number);

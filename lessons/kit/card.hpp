@@ -36,12 +36,12 @@ struct WrongGuess {
 /// What a lesson is, before it runs: shown by --help, --about, `lessons list`.
 struct LessonInfo {
   int number = 0;
-  std::string name = {};             // "sequential_impulses": program lesson06_sequential_impulses
+  std::string name = {};             // "sequential_impulses": program lesson03_sequential_impulses
   std::string title = {};            // "Sequential impulses"
   std::string idea = {};             // one sentence
   std::string paper = {};            // "paper 3.2, Algorithm 1, eq (19)-(23)"
   List<std::string> equations = {};  // "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)"
-  List<std::string> needs = {};      // what to know first: "lesson 06" ...
+  List<std::string> needs = {};      // what to know first: "lesson 03" ...
   List<std::string> reads = {};      // files of the project to read next
   std::string question = {};         // to predict before the lesson shows it
   List<std::string> spoilers = {};   // words and numbers of the answer: none stands before a page's fold
@@ -51,7 +51,7 @@ struct LessonInfo {
   List<Parameter> parameters = {};
   List<Choice> choices = {};
   int cover = -1;         // the frame that stands for the lesson, from 1; negative: from the end
-  std::string next = {};  // "bash lessons/run 8   (what it is about)"; "" after the last
+  std::string next = {};  // "bash lessons/run 7   (what it is about)"; "" after the last
 };
 
 /// Makes a lesson known to the program that it is linked with. Its card.cpp has one of them and nothing else.

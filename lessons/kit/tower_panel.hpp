@@ -1,4 +1,4 @@
-// A tower and what its boxes carry: the picture that lessons 09, 17 and 18 share.
+// A tower and what its boxes carry: the picture that lessons 08, 17 and 18 share.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The solver of all stages. A line "//@ 5" says that what follows belongs to the stages from 05 on; "//@ 5-6"
-// that stage 07 has replaced it. `state.sh` takes the file of one stage out of it.
+// The solver of all stages. A line "//@ 3" says that what follows belongs to the stages from 03 on; "//@ 3-3"
+// that stage 04 has replaced it. `state.sh` takes the file of one stage out of it.
 //@ 0
 // My solver: rigid bodies in the plane, and the constraints between them. Units are m, kg, s and rad.
 #include <algorithm>
@@ -54,24 +54,22 @@ Vec2 turned(const Body& body, Vec2 a) {
   const double cosine = std::cos(body.position[2]), sine = std::sin(body.position[2]);
   return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y};
 }
-//@ 5
+//@ 3
 
 const double infinity = std::numeric_limits<double>::infinity();
 //@ 1
 
 struct Row {
-  int body1 = 0, body2 = 0;  // places in the list of bodies
-  Vec3 j1 = {}, j2 = {};     // j (5): three numbers for each body
-  double c = 0;              // the constraint error (3)
-                             //@ 3
-  double bias = 0;           // ζ (7), the j·v that the row wants
-                             //@ 5
-  double lower = -infinity;  // bounds of the impulse
-  double upper = infinity;
-  //@ 6
-  double impulse = 0;           // λΔt, in total
-                                //@ 9
-  std::array<int, 3> key = {};  // what the row is called from step to step
+  int body1 = 0, body2 = 0;                    // places in the list of bodies
+  Vec3 j1 = {}, j2 = {};                       // j (5): three numbers for each body
+  double c = 0;                                // the constraint error (3)
+                                               //@ 2
+  double bias = 0;                             // ζ, the j·v that the row wants
+                                               //@ 3
+  double lower = -infinity, upper = infinity;  // bounds of the impulse
+  double impulse = 0;                          // λΔt, in total
+                                               //@ 8
+  std::array<int, 3> key = {};                 // what the row is called from step to step
   //@ 1
 };
 
@@ -95,7 +93,7 @@ Row rod(const std::vector<Body>& bodies, int body1, Vec2 point1, int body2, Vec2
   const double distance = std::hypot(d.x, d.y);
   return row_along(body1, r1, body2, r2, {d.x / distance, d.y / distance}, distance - length);
 }
-//@ 5
+//@ 3
 
 // A point where body 2 touches body 1: it may push the two apart along the normal, which leads from 1 to 2.
 Row contact(const std::vector<Body>& bodies, int body1, int body2, Vec2 point, Vec2 normal, double gap) {
@@ -130,11 +128,7 @@ double effective_mass(const Row& row, const std::vector<Body>& bodies) {
 
 // (22) times Δt: the impulse after which j·v is what the row wants.
 double correction(const Row& row, const std::vector<Body>& bodies) {
-  //@ 2-2
-  return -rate(row, bodies) * effective_mass(row, bodies);
-  //@ 3
   return (row.bias - rate(row, bodies)) * effective_mass(row, bodies);
-  //@ 2
 }
 
 // (21) and (19): v ← v + M⁻¹ jᵀ λΔt, for both bodies.
@@ -144,21 +138,21 @@ void apply_impulse(const Row& row, double impulse, std::vector<Body>& bodies) {
     bodies[row.body2].velocity[k] += bodies[row.body2].inverse_mass[k] * row.j2[k] * impulse;
   }
 }
-//@ 3
+//@ 9
 
 // (7): the share β of each error is to be gone after one step.
 void set_bias(std::vector<Row>& rows, double beta, double dt) {
   for (Row& row : rows) row.bias = -beta * row.c / dt;
 }
-//@ 4
+//@ 5
 
 // A λ = b (15), with λ in newton.
 struct System {
   std::vector<std::vector<double>> A;
   std::vector<double> b;
-  //@ 5
+  //@ 6
   std::vector<double> lower, upper;  // bounds of λ
-  //@ 4
+  //@ 5
 };
 
 // A row's three numbers for a body; zeros for a body that it does not touch.
@@ -179,14 +173,14 @@ System build(const std::vector<Row>& rows, const std::vector<Body>& bodies, doub
           entry += numbers_for(row, body)[k] * bodies[body].inverse_mass[k] * numbers_for(other, body)[k];
     }
     system.b.push_back((row.bias - rate(row, bodies)) / dt);
-    //@ 5
+    //@ 6
     system.lower.push_back(row.lower / dt);
     system.upper.push_back(row.upper / dt);
-    //@ 4
+    //@ 5
   }
   return system;
 }
-//@ 5
+//@ 6
 
 // One sweep of projected Gauss-Seidel: (28) and a clamp, row by row.
 void sweep_matrix(const System& system, std::vector<double>& lambda) {
@@ -197,23 +191,23 @@ void sweep_matrix(const System& system, std::vector<double>& lambda) {
     lambda[i] = std::clamp(rest / system.A[i][i], system.lower[i], system.upper[i]);
   }
 }
-//@ 6
+//@ 3
 
 // One sweep of sequential impulses: each row pushes immediately.
 void sweep(std::vector<Row>& rows, std::vector<Body>& bodies) {
   for (Row& row : rows) {
-    //@ 6-6
+    //@ 3-3
     const double push = std::clamp(correction(row, bodies), row.lower, row.upper);
     row.impulse += push;
-    //@ 7
+    //@ 4
     const double before = row.impulse;
     row.impulse = std::clamp(before + correction(row, bodies), row.lower, row.upper);
     const double push = row.impulse - before;
-    //@ 6
+    //@ 3
     apply_impulse(row, push, bodies);
   }
 }
-//@ 7
+//@ 4
 
 // The contacts of a box that stands on another: at both ends of the width that they share. The boxes are
 // upright, or turned so little that their faces are lines of slope `angle`.
@@ -227,9 +221,9 @@ void add_contacts(const std::vector<Body>& bodies, int below, int above, std::ve
     const double bottom = a.position[1] - a.height / 2 + a.position[2] * (x - a.position[0]);
     if (bottom - top > 0.001) continue;  // more than a millimetre apart: no contact
     rows.push_back(contact(bodies, below, above, {x, top}, {0, 1}, bottom - top));
-    //@ 9
+    //@ 8
     rows.back().key = {below, above, x == left ? 0 : 1};
-    //@ 7
+    //@ 4
   }
 }
 
@@ -246,7 +240,7 @@ std::vector<Row> contacts(const std::vector<Body>& bodies) {
   }
   return rows;
 }
-//@ 8
+//@ 7
 
 // λ [N] of all rows after each sweep: with the matrix, and with impulses.
 struct Record {
@@ -267,7 +261,7 @@ Record compare(std::vector<Row> rows, std::vector<Body> bodies, double dt, int s
   }
   return record;
 }
-//@ 9
+//@ 8
 
 // Lines 2 to 6 of Algorithm 1: every row begins with what the row of its name had in the last step.
 void warm_start(std::vector<Row>& rows, const std::vector<Row>& last, std::vector<Body>& bodies) {
@@ -281,14 +275,19 @@ void warm_start(std::vector<Row>& rows, const std::vector<Row>& last, std::vecto
 struct World {
   std::vector<Body> bodies;
   std::vector<Row> rows;  // of the last step
-  double gravity = 10, dt = 0.02, beta = 0;
+  double gravity = 10, dt = 0.02;
   int sweeps = 10;
+  //@ 9
+  double beta = 0;  // the share of each error that a step removes
+  //@ 8
 };
 
 void step(World& world) {
   add_gravity(world.bodies, world.gravity, world.dt);
   std::vector<Row> rows = contacts(world.bodies);
+  //@ 9
   set_bias(rows, world.beta, world.dt);
+  //@ 8
   warm_start(rows, world.rows, world.bodies);
   for (int k = 0; k < world.sweeps; ++k) sweep(rows, world.bodies);
   move_bodies(world.bodies, world.dt);

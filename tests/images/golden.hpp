@@ -36,7 +36,7 @@ inline Place default_place() {
           .mode = update != nullptr && std::string(update) == "1" ? Mode::renew : Mode::compare};
 }
 
-/// `name` may name folders: "lessons/06_first_row".
+/// `name` may name folders: "lessons/03_first_row".
 struct Files {
   std::filesystem::path golden = {}, actual = {}, difference = {};
 };

@@ -61,7 +61,7 @@ const WholeBook& whole_book() {
   return book;
 }
 
-/// "lesson06_sequential_impulses" of every lesson that was built.
+/// "lesson03_sequential_impulses" of every lesson that was built.
 List<std::string> built_lessons() {
   List<std::string> names;
   for (const auto& entry : fs::directory_iterator(CAIRN_BIN_DIR)) {
@@ -139,10 +139,10 @@ TEST_CASE("every link and picture of the lesson book is in the book") {
 TEST_CASE("the book shows what the lesson drew and printed, its text and its exercise") {
   const WholeBook& book = whole_book();
   if (book_is_missing(book.ran)) return;
-  const std::string& page = book.pages.at("lesson06.html");
+  const std::string& page = book.pages.at("lesson03.html");
   const ScratchFolder out;
   const Ran ran =
-      run_program("lesson06_sequential_impulses", {"--checks", "--size", "large", "-o", out.path()});
+      run_program("lesson03_sequential_impulses", {"--checks", "--size", "large", "-o", out.path()});
   REQUIRE(ran.code == 0);
   const auto film = nlohmann::json::parse(out.text("frames.json"));
   for (const auto& frame : film["frames"]) {
@@ -152,7 +152,7 @@ TEST_CASE("the book shows what the lesson drew and printed, its text and its exe
     CHECK(page.find(frame["state"].get<std::string>()) != std::string::npos);
     CHECK(page.find("alt=\"" + frame["alt"].get<std::string>() + "\"") != std::string::npos);
     char name[32] = {};
-    std::snprintf(name, sizeof(name), "lesson06_%04d_light.png", number);
+    std::snprintf(name, sizeof(name), "lesson03_%04d_light.png", number);
     CHECK(bytes_of(book.folder / "frames" / name) == out.text(frame["file"].get<std::string>()));
   }
   CHECK(all_matches(page, std::regex("<li (id=\"frame-)")).size() == film["frames"].size());
@@ -160,11 +160,11 @@ TEST_CASE("the book shows what the lesson drew and printed, its text and its exe
     CAPTURE(line);
     CHECK(page.find(line) != std::string::npos);
   }
-  CHECK(page.find("Your code begins here: about five lines") != std::string::npos);    // exercise.cpp
-  CHECK(page.find("so that its own two boxes stop closing in") != std::string::npos);  // README.md
-  CHECK(page.find("<mfrac><mrow>") != std::string::npos);                              // (22) as a fraction
-  const std::string plain = std::regex_replace(page, std::regex("<[^>]*>"), "");       // without colours
-  CHECK(plain.find("double jv = row_velocity(problem, row);") != std::string::npos);   // what it quotes
+  CHECK(page.find("Your code begins here: some fifteen lines") != std::string::npos);      // exercise.cpp
+  CHECK(page.find("its own two boxes stop approaching each other") != std::string::npos);  // README.md
+  CHECK(page.find("<mfrac><mrow>") != std::string::npos);                             // (22) as a fraction
+  const std::string plain = std::regex_replace(page, std::regex("<[^>]*>"), "");      // without colours
+  CHECK(plain.find("double jv = row_velocity(problem, row);") != std::string::npos);  // what it quotes
 }
 
 TEST_CASE("formulas of every page are MathML, whose symbols lead to the notation, and no TeX is left") {
@@ -202,7 +202,7 @@ TEST_CASE("subscripts of prose are set as such, and nothing within a formula tak
 
 TEST_CASE("keywords, comments and numbers of code have colours of their own, and so have commands") {
   if (book_is_missing(whole_book().ran)) return;
-  const std::string& page = whole_book().pages.at("lesson06.html");
+  const std::string& page = whole_book().pages.at("lesson03.html");
   for (const std::string piece :
        {"<span class=\"dt\">double</span>", "<span class=\"cf\">for</span>",
         "<span class=\"co\">// how fast its two boxes part</span>", "<span class=\"dv\">0</span>",
@@ -222,13 +222,13 @@ TEST_CASE("the first use of a term on a page is a link to the glossary") {
   if (book_is_missing(whole_book().ran)) return;
   const std::string first =
       "One visit to every contact is a <em><a class=\"term\" href=\"glossary.html#sweep\" title=\"";
-  CHECK(whole_book().pages.at("lesson06.html").find(first) != std::string::npos);
+  CHECK(whole_book().pages.at("lesson03.html").find(first) != std::string::npos);
 }
 
 TEST_CASE("two makings of the lesson book give the same bytes, and only its own files are replaced") {
   const ScratchFolder scratch;
   const std::string driver = driver_apart(
-      scratch, "tree", {"lesson02_effective_mass", "lesson06_sequential_impulses", "lesson11_friction"});
+      scratch, "tree", {"lesson02_effective_mass", "lesson03_sequential_impulses", "lesson11_friction"});
   const std::string one = scratch.path() + "/one";
   const std::string two = scratch.path() + "/elsewhere/two";
   const Ran first = make_book(scratch, driver, {one, "--frames", "cover"});
@@ -262,7 +262,7 @@ TEST_CASE("two makings of the lesson book give the same bytes, and only its own 
 
 TEST_CASE("a book that cannot be made says so, and is not half made") {
   const ScratchFolder scratch;
-  const std::string driver = driver_apart(scratch, "tree", {"lesson06_sequential_impulses"});
+  const std::string driver = driver_apart(scratch, "tree", {"lesson03_sequential_impulses"});
   const Ran wrong = run_program(driver, {"book", scratch.path() + "/book", "--sise", "small"});
   if (book_is_missing(wrong)) return;
   CHECK(wrong.code == 2);

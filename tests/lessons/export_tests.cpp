@@ -16,17 +16,17 @@ namespace {
 
 using Names = List<std::string>;
 
-/// `lessons export 6` into a folder.
+/// `lessons export 3` into a folder.
 Ran export_six(const ScratchFolder& folder, Names flags) {
-  Names words = {"export", "6", "--out", folder.path() + "/out"};
+  Names words = {"export", "3", "--out", folder.path() + "/out"};
   words.insert(words.end(), flags.begin(), flags.end());
   return run_program("lessons", words);
 }
 
-/// What lesson 6 itself says of one of its frames.
+/// What lesson 3 itself says of one of its frames.
 std::string alt_of(int frame) {
   const ScratchFolder folder;
-  run_program("lesson06_sequential_impulses", {"--frames", std::to_string(frame), "-o", folder.path()});
+  run_program("lesson03_sequential_impulses", {"--frames", std::to_string(frame), "-o", folder.path()});
   return nlohmann::json::parse(folder.text("frames.json"))["frames"][0]["alt"];
 }
 
@@ -38,11 +38,11 @@ TEST_CASE("exported pictures keep the number of their frame, and have their alt 
   const ScratchFolder folder;
   CHECK(export_six(folder, {"--frames", "2:3", "--scale", "0.75"}).code == 0);
   CHECK(folder.names("out") ==
-        Names{"06_sequential_impulses_0002.txt", "06_sequential_impulses_0002_dark.png",
-              "06_sequential_impulses_0002_light.png", "06_sequential_impulses_0003.txt",
-              "06_sequential_impulses_0003_dark.png", "06_sequential_impulses_0003_light.png"});
-  CHECK(folder.text("out/06_sequential_impulses_0002.txt") == alt_of(2) + "\n");
-  const render::Image image = render::read_png(folder.path() + "/out/06_sequential_impulses_0002_dark.png");
+        Names{"03_sequential_impulses_0002.txt", "03_sequential_impulses_0002_dark.png",
+              "03_sequential_impulses_0002_light.png", "03_sequential_impulses_0003.txt",
+              "03_sequential_impulses_0003_dark.png", "03_sequential_impulses_0003_light.png"});
+  CHECK(folder.text("out/03_sequential_impulses_0002.txt") == alt_of(2) + "\n");
+  const render::Image image = render::read_png(folder.path() + "/out/03_sequential_impulses_0002_dark.png");
   CHECK(image.width == 960);
   CHECK(image.height == 540);
 }
@@ -54,12 +54,12 @@ TEST_CASE("a panel alone is exported as PNG and as SVG, with a background or non
                               "--transparent"})
               .code == 0);
   }
-  const render::Image image = render::read_png(folder.path() + "/out/06_sequential_impulses_0002_light.png");
+  const render::Image image = render::read_png(folder.path() + "/out/03_sequential_impulses_0002_light.png");
   CHECK(image.width < 1280);
   CHECK(image.height < 720);
-  const std::string png = folder.text("out/06_sequential_impulses_0002_light.png");
+  const std::string png = folder.text("out/03_sequential_impulses_0002_light.png");
   CHECK(png[25] == 6);  // the colour type of PNG with an alpha channel (ISO/IEC 15948, 11.2.2)
-  const std::string svg = folder.text("out/06_sequential_impulses_0002_light.svg");
+  const std::string svg = folder.text("out/03_sequential_impulses_0002_light.svg");
   CHECK(svg.starts_with("<svg "));
   CHECK(svg.find("<title>" + alt_of(2) + "</title>") != std::string::npos);
 }
@@ -68,8 +68,8 @@ TEST_CASE("a film is one file, and its text names every frame") {
   const ScratchFolder folder;
   CHECK(export_six(folder, {"--frames", "2:4", "--theme", "dark", "--format", "apng"}).code == 0);
   CHECK(folder.names("out") ==
-        Names{"06_sequential_impulses.txt", "06_sequential_impulses.vtt", "06_sequential_impulses_dark.png"});
-  CHECK(folder.text("out/06_sequential_impulses.txt") ==
+        Names{"03_sequential_impulses.txt", "03_sequential_impulses.vtt", "03_sequential_impulses_dark.png"});
+  CHECK(folder.text("out/03_sequential_impulses.txt") ==
         "2. " + alt_of(2) + "\n3. " + alt_of(3) + "\n4. " + alt_of(4) + "\n");
 }
 
@@ -80,7 +80,7 @@ TEST_CASE(
       folder, {"--theme", "light", "--format", "apng", "--scale", "0.75", "--fps", "4", "--sweeps", "2"});
   CHECK(ran.code == 0);
   CHECK(ran.out.rfind("1 film with what it shows: ", 0) == 0);
-  const std::string film = folder.text("out/06_sequential_impulses_light.png");
+  const std::string film = folder.text("out/03_sequential_impulses_light.png");
   const auto number_at = [&film](std::size_t at) {
     return (static_cast<unsigned char>(film[at]) << 8) + static_cast<unsigned char>(film[at + 1]);
   };
@@ -90,7 +90,7 @@ TEST_CASE(
   CHECK(frames > 6);
   const std::size_t first = film.find("fcTL");  // delay in 100/hundredths s behind six numbers of four bytes
   CHECK(4 * number_at(first + 24) == number_at(first + 26));
-  const std::string captions = folder.text("out/06_sequential_impulses.vtt");
+  const std::string captions = folder.text("out/03_sequential_impulses.vtt");
   CHECK(captions.rfind("WEBVTT\n\n00:00:00.000 --> 00:00:00.250\n" + alt_of(1).substr(0, 20), 0) == 0);
   int shown = 0;
   for (std::size_t at = captions.find(" --> "); at != std::string::npos; at = captions.find(" --> ", at + 1))
@@ -102,13 +102,13 @@ TEST_CASE("a film of ten seconds of a whole lesson is below one megabyte") {
   const ScratchFolder folder;
   CHECK(export_six(folder, {"--theme", "light", "--format", "apng", "--scale", "0.75", "--fps", "3"}).code ==
         0);
-  CHECK(std::filesystem::file_size(folder.path() + "/out/06_sequential_impulses_light.png") < 1000000);
+  CHECK(std::filesystem::file_size(folder.path() + "/out/03_sequential_impulses_light.png") < 1000000);
 }
 
 TEST_CASE("a film whose encoder is not there is refused before anything is drawn") {
   const ScratchFolder folder;
   const Ran ran = run_program("/usr/bin/env", {"PATH=" + folder.path(), CAIRN_BIN_DIR "/lessons", "export",
-                                               "6", "--format", "mp4", "--out", folder.path() + "/out"});
+                                               "3", "--format", "mp4", "--out", folder.path() + "/out"});
   CHECK(ran.code == 3);
   CHECK(ran.err ==
         "lessons: --format mp4 needs the program ffmpeg (apt-get install ffmpeg); apng needs none\n");
@@ -124,11 +124,11 @@ TEST_CASE("a film as GIF is made by the ffmpeg that PATH leads to") {
   std::filesystem::permissions(folder.path() + "/programs/ffmpeg", std::filesystem::perms::owner_all);
   const Ran ran =
       run_program("/usr/bin/env",
-                  {"PATH=" + folder.path() + "/programs", CAIRN_BIN_DIR "/lessons", "export", "6", "--frames",
+                  {"PATH=" + folder.path() + "/programs", CAIRN_BIN_DIR "/lessons", "export", "3", "--frames",
                    "2:3", "--theme", "dark", "--format", "gif", "--out", folder.path() + "/out"});
   CAPTURE(ran.err);
   CHECK(ran.code == 0);
-  CHECK(folder.text("out/06_sequential_impulses_dark.gif").find("-framerate 1 -i ") != std::string::npos);
+  CHECK(folder.text("out/03_sequential_impulses_dark.gif").find("-framerate 1 -i ") != std::string::npos);
 }
 
 TEST_CASE("what cannot be exported is refused, and leaves nothing behind") {
@@ -171,12 +171,12 @@ TEST_CASE("a value of a lesson's flag is its own, also where it is part of the n
 
 TEST_CASE("folders of the reader's own beside the pictures are left alone, whatever their names are") {
   const ScratchFolder folder;
-  const std::string mine = "out/unfinished_06_sequential_impulses_light";
+  const std::string mine = "out/unfinished_03_sequential_impulses_light";
   std::filesystem::create_directories(folder.path() + "/" + mine);
   folder.write(mine + "/mine.txt", "mine");
   CHECK(export_six(folder, {"--frames", "2", "--theme", "light"}).code == 0);
-  CHECK(folder.names("out") == Names{"06_sequential_impulses_0002.txt",
-                                     "06_sequential_impulses_0002_light.png",
-                                     "unfinished_06_sequential_impulses_light"});
+  CHECK(folder.names("out") == Names{"03_sequential_impulses_0002.txt",
+                                     "03_sequential_impulses_0002_light.png",
+                                     "unfinished_03_sequential_impulses_light"});
   CHECK(folder.text(mine + "/mine.txt") == "mine");
 }

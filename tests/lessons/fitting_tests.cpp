@@ -98,7 +98,7 @@ TEST_CASE("every line of every lesson, of its help and of the lists fits a windo
 }
 
 TEST_CASE("the command that runs a lesson again is one command, also where it takes several lines") {
-  const std::string command = "bash lessons/run 6 --bodies 3 --dt 0.02 --gravity 10 --sweeps 10 --order up";
+  const std::string command = "bash lessons/run 3 --bodies 3 --dt 0.02 --gravity 10 --sweeps 10 --order up";
   std::string folded = folded_command("Again: " + command, 40);
   CHECK(widest_line(folded) <= 40);
   for (std::size_t at = folded.find(" \\\n"); at != std::string::npos; at = folded.find(" \\\n"))
@@ -128,7 +128,7 @@ TEST_CASE("a lesson waits for a guess on a terminal alone") {
   CHECK(run_in_child(lesson, {}).out.find("Your guess") == std::string::npos);
   CHECK(run_in_child(lesson, {"--predict"}).out.find("Your guess") != std::string::npos);
   // script(1) gives a program a terminal; what is typed is its own input.
-  const std::string program = CAIRN_BIN_DIR "/lesson06_sequential_impulses --frames none";
+  const std::string program = CAIRN_BIN_DIR "/lesson03_sequential_impulses --frames none";
   if (std::system("command -v script >/dev/null 2>&1") != 0) return;
   const ScratchFolder folder;
   const std::string file = folder.path() + "/typed";
@@ -157,7 +157,7 @@ TEST_CASE("a run ends with a page that shows each of its frames with its words")
 
 TEST_CASE("the colour of Box2D is in no picture of a lesson that does not run it") {
   const ScratchFolder folder;
-  for (const char* name : {"lesson09_warm_start", "lesson16_jacobi", "lesson18_speed_accuracy"}) {
+  for (const char* name : {"lesson08_warm_start", "lesson16_jacobi", "lesson18_speed_accuracy"}) {
     CAPTURE(name);
     REQUIRE(run_program(name, {"--format", "svg", "-o", folder.path() + "/" + name}).code == 0);
     int pictures = 0;

@@ -21,8 +21,9 @@ namespace fs = std::filesystem;
 using Words = List<std::string>;
 
 constexpr const char* fold = "\n<!-- fold -->\n";
+constexpr int last_of_six = 11;  // from lesson 12 on a page may have more headings
 
-/// "06_sequential_impulses".
+/// "03_sequential_impulses".
 std::string folder_of(const LessonInfo& card) {
   return (card.number < 10 ? "0" : "") + std::to_string(card.number) + "_" + card.name;
 }
@@ -100,8 +101,8 @@ Words headings_of(const std::string& text) {
 void check_order(const std::string& text) {
   const Words headings = headings_of(text);
   std::size_t last = 0;
-  for (const char* name : {"The question", "The answer", "What to look at", "Run it", "Your turn",
-                           "What it checks", "Read on"}) {
+  for (const char* name :
+       {"The question", "The answer", "What to look at", "Run it", "Your turn", "Read on"}) {
     CAPTURE(name);
     const auto found = std::find(headings.begin(), headings.end(), name);
     REQUIRE(found != headings.end());
@@ -111,6 +112,8 @@ void check_order(const std::string& text) {
   }
   CHECK(headings[0] == "The question");
   CHECK(headings[1] == "The answer");
+  CHECK((text.find("\n## What it checks\n") != std::string::npos ||
+         text.find("\n<details><summary>What it checks</summary>\n") != std::string::npos));
 }
 
 }  // namespace
@@ -165,6 +168,13 @@ TEST_CASE("a page asks, folds, answers, and then explains") {
     CHECK((asked.find(command + "answer ") != std::string::npos ||
            asked.find(command + "predict") != std::string::npos));
     check_order(text);
+  }
+}
+
+TEST_CASE("a page of the first lessons has six headings") {
+  for (const LessonInfo& card : cards()) {
+    CAPTURE(card.name);
+    if (card.number <= last_of_six) CHECK(headings_of(readme_of(card)).size() == 6);
   }
 }
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// A driver whose one lesson sends it this signal and goes on for a minute.
 std::string driver_that_is_stopped(const ScratchFolder& folder, const std::string& signal) {
   const std::string driver = driver_apart(folder, "tree", {});
-  const std::string lesson = "tree/bin/lesson06_sequential_impulses";
+  const std::string lesson = "tree/bin/lesson03_sequential_impulses";
   folder.write(lesson, "#!/bin/sh\necho $$ >'" + folder.path() + "/tree/pid'\nkill -" + signal +
                            " $PPID\nexec sleep 60\n");
   fs::permissions(folder.path() + "/" + lesson, fs::perms::owner_all);
@@ -43,7 +43,7 @@ bool makes_no_books(const Ran& ran) {
 TEST_CASE("a book or a film that is interrupted ends with its lesson, says so and leaves nothing") {
   for (const std::string signal : {"INT", "TERM"}) {
     const List<List<std::string>> commands = {
-        {"book", "made"}, {"handouts", "made/handouts.pdf"}, {"export", "6", "--out", "made"}};
+        {"book", "made"}, {"handouts", "made/handouts.pdf"}, {"export", "3", "--out", "made"}};
     for (const List<std::string>& command : commands) {
       CAPTURE(signal);
       CAPTURE(command.front());
@@ -65,7 +65,7 @@ TEST_CASE("a book that is interrupted leaves the earlier one as it was") {
   const ScratchFolder folder;
   fs::create_directories(folder.path() + "/made/frames");
   folder.write("made/index.html", "earlier");
-  folder.write("made/frames/lesson06_0001_light.png", "earlier");
+  folder.write("made/frames/lesson03_0001_light.png", "earlier");
   folder.write("made/handouts.pdf", "earlier");
   const std::string driver = driver_that_is_stopped(folder, "INT");
   for (const List<std::string>& command : List<List<std::string>>{
@@ -76,6 +76,6 @@ TEST_CASE("a book that is interrupted leaves the earlier one as it was") {
     CHECK(ran.err == "lessons: interrupted; " + command.back() + " is as it was\n");
   }
   CHECK(folder.names("made") == List<std::string>{"frames", "handouts.pdf", "index.html"});
-  for (const char* file : {"index.html", "frames/lesson06_0001_light.png", "handouts.pdf"})
+  for (const char* file : {"index.html", "frames/lesson03_0001_light.png", "handouts.pdf"})
     CHECK(folder.text("made/" + std::string(file)) == "earlier");
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "lesson06_sequential_impulses", of all that are built.
+/// "lesson03_sequential_impulses", of all that are built.
 List<std::string> built_programs() {
   List<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(CAIRN_BIN_DIR)) {

@@ -29,8 +29,8 @@ struct StubbedTree {
     fs::create_directories(copy / "driver");
     fs::copy_file(source / "run", copy / "run");
     fs::copy_file(source / "driver" / "main.cpp", copy / "driver" / "main.cpp");
-    for (const char* name : {"00_one_body", "06_sequential_impulses"}) fs::create_directories(copy / name);
-    folder.write("lessons/06_sequential_impulses/exercise.cpp", "");
+    for (const char* name : {"00_one_body", "03_sequential_impulses"}) fs::create_directories(copy / name);
+    folder.write("lessons/03_sequential_impulses/exercise.cpp", "");
     folder.write("lessons/setup.sh",
                  "cairn_root=.\ncairn_set_up() { :; }\ncairn_build() { echo \"$*\"; exit 0; }\n");
   }
@@ -60,15 +60,15 @@ TEST_CASE("lessons/run answers help and refuses unknown words before anything is
 TEST_CASE("lessons/run builds what is asked for and no more") {
   const StubbedTree tree;
   for (const char* word :
-       {"list", "progress", "legend", "coverage", "doctor", "solution 6", "--plain list"}) {
+       {"list", "progress", "legend", "coverage", "doctor", "solution 3", "--plain list"}) {
     INFO(std::string(word));
     CHECK(tree.built(word) == "release lessons\n");
   }
-  for (const char* word : {"6", "06", "run 6 --help", "lesson06", "sequential_impulses --predict"}) {
+  for (const char* word : {"3", "03", "run 3 --help", "lesson03", "sequential_impulses --predict"}) {
     INFO(std::string(word));
-    CHECK(tree.built(word) == "release lessons lesson06_sequential_impulses\n");
+    CHECK(tree.built(word) == "release lessons lesson03_sequential_impulses\n");
   }
-  CHECK(tree.built("check 6") == "release lessons lesson06_sequential_impulses exercise06\n");
+  CHECK(tree.built("check 3") == "release lessons lesson03_sequential_impulses exercise03\n");
   CHECK(tree.built("check 0") == "release lessons lesson00_one_body\n");
   CHECK(tree.built("cairn list") == "release cairn_sandbox\n");
   for (const char* word : {"", "book", "--frames none", "check --all"}) {
@@ -78,7 +78,7 @@ TEST_CASE("lessons/run builds what is asked for and no more") {
   }
   CHECK(tree.built("next") == "release lessons lesson00_one_body\n");
   tree.folder.write("lessons-progress.txt", "00 passed 2026-11-20\n");
-  CHECK(tree.built("next") == "release lessons lesson06_sequential_impulses\n");
+  CHECK(tree.built("next") == "release lessons lesson03_sequential_impulses\n");
 }
 
 TEST_CASE("the scripts run wherever CDPATH leads") {

@@ -70,7 +70,7 @@ TEST_CASE("text is broken at blanks, and lines after the first are indented") {
 }
 
 TEST_CASE("a word that a shell would take apart is quoted") {
-  CHECK(shell_quoted("out/lesson06") == "out/lesson06");
+  CHECK(shell_quoted("out/lesson03") == "out/lesson03");
   CHECK(shell_quoted("my folder") == "'my folder'");
   CHECK(shell_quoted("it's") == "'it'\\''s'");
   CHECK(shell_quoted("") == "''");

@@ -31,7 +31,7 @@ std::string name_of_frame(int number) {
 
 TEST_CASE("frames are numbered from 1 with four digits in a folder that is made for them") {
   const TemporaryFolder folder;
-  const fs::path target = folder / "out/lesson06";
+  const fs::path target = folder / "out/lesson03";
   FrameWriter writer(target, "l06");
   for (int i = 1; i <= 12; ++i) CHECK(writer.add(frame_of_sequence(i)) == target / name_of_frame(i));
   writer.finish();

@@ -57,7 +57,7 @@ export const questions = [
     what: "They give",
     asks: "One sweep goes once through all six rows, from the ground up. What do the two rows under the lowest box give together after it? In the end they carry 30 N.",
     because:
-      "When the lowest rows had their turn, the boxes above had not pushed yet: they stopped one box, and that not well. The rest comes down with the next sweeps (lesson 06).",
+      "When the lowest rows had their turn, the boxes above had not pushed yet: they stopped one box, and that not well. The rest comes down with the next sweeps (lesson 03).",
     wrong: [
       { is: 30, says: "That is where they end. One sweep leaves most of it." },
       { is: 10, says: "That would hold one box. The second row has undone some of what the first did." },
@@ -72,7 +72,7 @@ export const questions = [
     bodies: "ground stack.1",
     asks: "Ten boxes of 1 kg, g = 10 m/s², and the lowest box stands on two points. Where will the row of the left point end?",
     because:
-      "The two points share the weight of ten boxes, 100 N. A sweep hands weight on from contact to contact; cold, ten sweeps reach about a third of it (lesson 09).",
+      "The two points share the weight of ten boxes, 100 N. A sweep hands weight on from contact to contact; cold, ten sweeps reach about a third of it (lesson 08).",
     wrong: [
       { is: 100, says: "Twice it: that is the whole weight, and two points share it." },
       { is: 10, says: "That is one box. Nine more stand on it." },
@@ -89,7 +89,7 @@ export const questions = [
     measure: "fall",
     what: "After one second the top has sunk by",
     asks: "Ten boxes, ten sweeps a step. Warm, each step begins from the forces of the last one; cold, from nothing. Which tower sinks less in a second?",
-    because: "Warm, sixty steps work on one answer; cold, each begins with none of it (lesson 09).",
+    because: "Warm, sixty steps work on one answer; cold, each begins with none of it (lesson 08).",
   },
   {
     scene: "stack-ratio",
@@ -137,7 +137,7 @@ export const questions = [
     bodies: "ground stack.1",
     asks: "The boxes stand 16 cm to the left and to the right by turns. All ten weigh 100 N, and the middle of their weight is not over the middle of the lowest box. Where will the row of the left point end?",
     because:
-      "The lowest box stands on the left, so the middle of the weight is nearer to its right point: 66 cm from the left one, 34 cm from the right one. Forces and moments balance at 34 N and 66 N (lesson 05).",
+      "The lowest box stands on the left, so the middle of the weight is nearer to its right point: 66 cm from the left one, 34 cm from the right one. Forces and moments balance at 34 N and 66 N (lesson 06).",
     wrong: [
       { is: 50, says: "That is half of the weight: the middle of it is not over the middle of the box." },
       { is: 66, says: "That is the right point: the weight is nearer to it." },

@@ -1,58 +1,64 @@
-// Stage 05, filmed: a box comes down on two legs, whose feet sweeps over A hold.
+// Stage 05, filmed: a chain of three boxes swings. A and b are the reader's; elimination solves them here.
 #include "04.cpp"
 
 namespace cairn::filmed {
 
-/// The ends of a box's legs [m], in its own frame.
-static const std::array<std::array<double, 2>, 2> feet = {{{-0.25, -0.75}, {0.25, -0.75}}};
-
-/// The ground, and a box above it that is a little turned.
-static std::vector<Body> footed_box() {
-  std::vector<Body> bodies = {make_box(6, 0.5, 0, 0, -0.25), make_box(1, 1, 6, 0, 1.6)};
-  bodies[1].position[2] = 0.1;
-  return bodies;
+/// λ [N] of A λ = b, by elimination with the largest pivot of each column.
+static std::vector<double> eliminated(System system) {
+  const std::size_t count = system.b.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t pivot = i;
+    for (std::size_t k = i; k < count; ++k)
+      if (std::abs(system.A[k][i]) > std::abs(system.A[pivot][i])) pivot = k;
+    std::swap(system.A[i], system.A[pivot]);
+    std::swap(system.b[i], system.b[pivot]);
+    for (std::size_t k = i + 1; k < count; ++k) {
+      const double share = system.A[k][i] / system.A[i][i];
+      for (std::size_t n = i; n < count; ++n) system.A[k][n] -= share * system.A[i][n];
+      system.b[k] -= share * system.b[i];
+    }
+  }
+  for (std::size_t i = count; i-- > 0;) {
+    for (std::size_t k = i + 1; k < count; ++k) system.b[i] -= system.A[i][k] * system.b[k];
+    system.b[i] /= system.A[i][i];
+  }
+  return system.b;
 }
 
-/// A row for each foot that touches the ground.
-static std::vector<Row> foot_rows(const std::vector<Body>& bodies) {
-  std::vector<Row> rows;
-  for (const auto& foot : feet) {
-    const auto at = in_the_world(bodies[1], foot[0], foot[1]);
-    if (at[1] < 0.001) rows.push_back(contact(bodies, 0, 1, {at[0], at[1]}, {0, 1}, at[1]));
-  }
-  set_bias(rows, 0.2, 0.02);
+static const double half_link = 0.3, link = 0.6;  // [m]
+
+static std::vector<Row> chain_rows(const std::vector<Body>& bodies) {
+  std::vector<Row> rows = {rod(bodies, 0, {0, 0}, 1, {-half_link, 0}, link)};
+  for (int i = 1; i < 3; ++i) rows.push_back(rod(bodies, i, {half_link, 0}, i + 1, {-half_link, 0}, link));
   return rows;
 }
 
-/// `forces` [N] are those of the rows.
-static void note_feet(Motion& motion, const std::vector<Body>& bodies, const std::vector<double>& forces) {
+static void note_chain(Motion& motion, double time, const std::vector<Body>& bodies) {
+  motion.frame(time);
   motion.bodies(bodies);
-  std::size_t next = 0;
-  for (const auto& foot : feet) {
-    const auto at = in_the_world(bodies[1], foot[0], foot[1]);
-    const auto leg = in_the_world(bodies[1], foot[0], -0.5);
-    motion.rod(leg[0], leg[1], at[0], at[1]);
-    if (at[1] >= 0.001 || next == forces.size()) continue;
-    const double length = std::clamp(forces[next++] / 60, -1.0, 1.0);
-    motion.arrow(at[0], at[1] - length, 0, length);
-  }
+  double largest = 0;
+  for (const Row& row : chain_rows(bodies)) largest = std::max(largest, std::abs(row.c));
+  note_rod(motion, bodies[0], {0, 0}, bodies[1], {-half_link, 0});
+  for (std::size_t i = 1; i < 3; ++i)
+    note_rod(motion, bodies[i], {half_link, 0}, bodies[i + 1], {-half_link, 0});
+  motion.words("largest error of a rod: " + in_mm(largest));
 }
 
 static void film_05(Motion& motion) {
   const double dt = 0.02;
-  std::vector<Body> bodies = footed_box();
-  motion.view(-2.2, -0.5, 2.2, 2.8);
-  for (int k = 0; k <= 90; ++k) {
+  std::vector<Body> bodies = {make_box(0.3, 0.3, 0, 0, 0)};
+  for (int i = 0; i < 3; ++i) bodies.push_back(make_box(0.6, 0.6, 1, 0.9 + 1.2 * i, 0));
+  motion.view(-4, -4, 4, 0.9);
+  for (int k = 0; k <= 160; ++k) {
+    if (k % 5 == 0) note_chain(motion, k * dt, bodies);
     add_gravity(bodies, 10, dt);
-    const std::vector<Row> rows = foot_rows(bodies);
+    std::vector<Row> rows = chain_rows(bodies);
+    aim(rows, dt);
     const System system = build(rows, bodies, dt);
-    std::vector<double> lambda(rows.size(), 0.0);
-    for (int sweeps = 0; sweeps < 20; ++sweeps) sweep_matrix(system, lambda);
-    if (k % 4 == 0) {
-      motion.frame(k * dt);
-      note_feet(motion, bodies, lambda);
-      motion.words("arrows: pushes, 60 N a metre, 1 m at most");
-    }
+    if (system.b.size() != rows.size() || system.A.size() != rows.size() ||
+        system.A.back().size() != rows.size())
+      throw std::runtime_error("A and b of three rows must have three rows each");
+    const std::vector<double> lambda = eliminated(system);
     for (std::size_t i = 0; i < rows.size(); ++i) apply_impulse(rows[i], lambda[i] * dt, bodies);
     move_bodies(bodies, dt);
   }

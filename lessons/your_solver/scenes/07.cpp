@@ -1,32 +1,33 @@
-// Stage 07, filmed: the box stays on its feet, and a tower of three comes down and stands.
+// Stage 07, filmed: the left tower is moved by λ of the matrix, the right one by λ of the impulses.
 #include "06.cpp"
 
 namespace cairn::filmed {
 
-static std::vector<Body> tower_above_ground(int boxes, double x, double height) {
-  std::vector<Body> bodies = {make_box(4, 0.5, 0, x, -0.25)};
-  for (int i = 0; i < boxes; ++i) bodies.push_back(make_box(1, 1, 1, x, 0.5 + i + height));
-  return bodies;
+static void step_by_record(std::vector<Body>& bodies, bool by_matrix) {
+  const double dt = 0.02;
+  add_gravity(bodies, 10, dt);
+  std::vector<Row> rows = contacts(bodies);
+  aim(rows, dt);
+  const Record record = compare(rows, bodies, dt, 20);
+  const auto& ledger = by_matrix ? record.matrix : record.impulses;
+  if (ledger.empty() || ledger.back().size() != rows.size())
+    throw std::runtime_error("the record has no last sweep with a λ for each row");
+  for (std::size_t i = 0; i < rows.size(); ++i) apply_impulse(rows[i], ledger.back()[i] * dt, bodies);
+  move_bodies(bodies, dt);
 }
 
 static void film_07(Motion& motion) {
-  const double dt = 0.02;
-  std::vector<Body> box = footed_box(), tower = tower_above_ground(3, 5, 0.3);
-  motion.view(-3, -0.5, 7, 4.3);
+  std::vector<Body> left = tower_above_ground(3, 0, 0.3), right = tower_above_ground(3, 5, 0.3);
+  motion.view(-2, -0.5, 7, 4.3);
   for (int k = 0; k <= 90; ++k) {
-    const std::vector<double> forces = step_feet(box);
     if (k % 4 == 0) {
-      motion.frame(k * dt);
-      note_feet(motion, box, forces);
-      motion.bodies(tower);
-      motion.words("on two feet, and a tower by contacts()");
+      motion.frame(k * 0.02);
+      motion.bodies(left);
+      motion.bodies(right);
+      motion.words("left: λ of the matrix; right: λ of the impulses");
     }
-    move_bodies(box, dt);
-    add_gravity(tower, 10, dt);
-    std::vector<Row> rows = contacts(tower);
-    set_bias(rows, 0.2, dt);
-    for (int sweeps = 0; sweeps < 20; ++sweeps) sweep(rows, tower);
-    move_bodies(tower, dt);
+    step_by_record(left, true);
+    step_by_record(right, false);
   }
 }
 

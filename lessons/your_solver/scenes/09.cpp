@@ -35,7 +35,7 @@ static void bound_friction(std::vector<Row>& rows) {
 static void step_with_friction(World& world) {
   add_gravity(world.bodies, world.gravity, world.dt);
   std::vector<Row> rows = rough_rows(world.bodies);
-  set_bias(rows, 0.2, world.dt);
+  set_bias(rows, world.beta, world.dt);
   warm_start(rows, world.rows, world.bodies);
   for (int k = 0; k < 20; ++k) {
     bound_friction(rows);
@@ -51,6 +51,7 @@ static void film_09(Motion& motion) {
   world.bodies = tower_above_ground(10, 0, 0);
   world.bodies[0] = make_box(40, 0.5, 0, 0, -0.25);
   world.bodies.push_back(make_box(1, 1, 0, -6, 6));
+  world.beta = 0.2;
   motion.view(-6.8, -0.5, 11.2, 11);
   for (int k = 0; k <= standing + falling; ++k) {
     if (k % 8 == 0) {

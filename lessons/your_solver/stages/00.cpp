@@ -47,12 +47,12 @@ static void grade_falling(cairn::Grade& grade) {
                  {-g * dt, "Gravity changes a velocity: take it off, do not set it."},
                  {3, is_set ? "The first body was left out." : "Change the bodies of the list, not copies."},
                  {3 - g, "The factor dt is missing: gravity acts for one step only."},
-                 {3 - 0.5 * g * dt, "The mass cancels: all boxes fall alike."},
-                 {3 - 2 * g * dt, "The mass cancels: all boxes fall alike."}}},
+                 {3 - 0.5 * g * dt, "The mass cancels: all boxes fall equally fast."},
+                 {3 - 2 * g * dt, "The mass cancels: all boxes fall equally fast."}}},
                bodies[0].velocity[1]);
   grade.number({"add_gravity: 2 kg that was at rest (m/s)",
                 -g * dt,
-                {{-2 * g * dt, "The mass cancels: all boxes fall alike."},
+                {{-2 * g * dt, "The mass cancels: all boxes fall equally fast."},
                  {0, bodies[0].velocity[1] == 3 ? "" : "The last body was left out."}}},
                bodies[2].velocity[1]);
   grade.number(

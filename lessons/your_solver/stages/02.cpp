@@ -77,11 +77,25 @@ static void grade_correction(cairn::Grade& grade) {
                  {-slanted_rate, "That is a velocity: multiply by the effective mass."}}},
                correction(slanted_row(1, 2), bodies));
   // The bodies in each other's place: j·v is -2.65 + 1.6, and j M⁻¹ jᵀ is 2.75 + 1.25.
-  grade.number({"correction for a row whose points close in (N s)",
+  grade.number({"correction for a row whose points approach each other (N s)",
                 1.05 / 4,
                 {{-1.05 / 4, "The sign: (22) has ζ − j·v, and ζ is 0 here."},
                  {0, "Nothing is clamped here: a row pushes and pulls."}}},
                correction(slanted_row(2, 1), bodies));
+}
+
+static void grade_aim(cairn::Grade& grade) {
+  grade.number({"bias of a new row (m/s)", 0}, Row().bias);
+  Row row = slanted_row(1, 2);
+  row.bias = 0.7;
+  const double mass = 1 / (slanted_part1 + slanted_part2);
+  grade.number({"correction with a bias of 0.7 m/s (N s)",
+                (0.7 - slanted_rate) * mass,
+                {{-slanted_rate * mass, "correction does not use the bias: (ζ − j·v)."},
+                 {(-0.7 - slanted_rate) * mass, "The sign of ζ: (22) has ζ − j·v."},
+                 {(0.7 + slanted_rate) * mass, "The sign of j·v: (22) has ζ − j·v."},
+                 {0.7 - slanted_rate * mass, "The bias is a velocity: (ζ − j·v), then the mass."}}},
+               correction(row, two_masses()));
 }
 
 /// What a push along the reader's rod does to momentum and to angular momentum, which it has to keep.
@@ -152,6 +166,7 @@ static void grade_push(cairn::Grade& grade) {
 static void grade_02(cairn::Grade& grade) {
   grade_effective_mass(grade);
   grade_correction(grade);
+  grade_aim(grade);
   grade_push(grade);
 }
 

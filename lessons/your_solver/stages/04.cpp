@@ -1,174 +1,167 @@
-// Stage 04, graded: A and b of four rows between bodies of 2 kg, 0.5 kg and 1 kg, entry by entry.
+// Stage 04, graded: what a landing box's feet give in total, and the contacts of boxes.
 #include "03.cpp"
 
-static Row made_row(int body1, Vec3 j1, int body2, Vec3 j2, double bias) {
-  Row row;
-  row.body1 = body1;
-  row.body2 = body2;
-  row.j1 = j1;
-  row.j2 = j2;
-  row.bias = bias;
-  return row;
-}
+/// A box of 2 kg with feet 0.25 m to the left and right of its centre comes down at 3 m/s.
+struct Landing {
+  std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, 0, 0.5)};
+  std::vector<Row> rows = {contact(bodies, 0, 1, {-0.25, 0}, {0, 1}, 0),
+                           contact(bodies, 0, 1, {0.25, 0}, {0, 1}, 0)};
+  Landing() { bodies[1].velocity[1] = -3; }
+};
 
-/// Row 2 has the bodies of row 1 the other way round; row 3 shares nothing but the ground with row 0.
-static std::vector<Row> four_rows() {
-  return {made_row(0, {0, -1, 0.25}, 1, {0, 1, 0.5}, 0.3),
-          made_row(1, {-0.6, 0.8, 0.25}, 2, {0.6, -0.8, 0.5}, 0),
-          made_row(2, {1, 0, -0.5}, 1, {-1, 0, 0.75}, -0.3), made_row(0, {0, -1, 0}, 3, {0, 1, 0.5}, 0)};
-}
-
-static std::vector<Body> four_bodies() {
-  std::vector<Body> bodies = two_masses();
-  bodies.push_back(make_box(1, 1, 1, 5, 1));
-  bodies[3].velocity = {0, -1, 0};
-  return bodies;
-}
-
-/// j_i W j_k over the numbers that two rows have for one body.
-static double coupled(Vec3 first, Vec3 weight, Vec3 second) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += first[k] * weight[k] * second[k];
-  return sum;
-}
-
-/// The first entry of A that is not what a push shows: 1 N s along row k changes j·v of row i by A[i][k].
-static std::string physics_of(const System& system) {
-  const std::vector<Row> rows = four_rows();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < rows.size() && k < system.A[i].size(); ++k) {
-      std::vector<Body> bodies = four_bodies();
-      const double before = rate(rows[i], bodies);
-      apply_impulse(rows[k], 1, bodies);
-      const double change = rate(rows[i], bodies) - before;
-      if (std::abs(system.A[i][k] - change) < 1e-9) continue;
-      char words[200] = "";
-      std::snprintf(
-          words, sizeof words,
-          "Push row %zu with 1 N s, and j·v of row %zu grows by %.4g m/s. Your A[%zu][%zu] says %.4g.", k, i,
-          change, i, k, system.A[i][k]);
-      return words;
-    }
-  }
-  return "";
-}
-
-static const Vec3 inverse_heavy = {0.5, 0.5, 3}, inverse_light = {2, 2, 12}, inverse_ones = {1, 1, 1},
-                  inverse_none = {};  // inverse masses
-
-static void grade_diagonal(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
-  const double diagonal = slanted_part1 + slanted_part2;
-  const double mixed = diagonal + coupled(rows[1].j1, inverse_heavy, rows[1].j2) +
-                       coupled(rows[1].j2, inverse_light, rows[1].j1);
-  const double plain =
-      coupled(rows[1].j1, inverse_heavy, inverse_ones) + coupled(rows[1].j2, inverse_light, inverse_ones);
-  const bool is_doubled =
-      std::abs(system.A[0][1] - 2 * coupled(rows[0].j2, inverse_heavy, rows[1].j1)) < 1e-9;
+static void grade_landing(cairn::Grade& grade) {
+  const double half = 2 * 3 / 2.0,
+               q = (1 / 2.0 - 0.0625 * 3) / (1 / 2.0 + 0.0625 * 3);  // A₁₂/A₁₁, with 1/I = 3
+  Landing landing;
+  for (int k = 0; k < 3; ++k) sweep(landing.rows, landing.bodies);
+  const bool is_naive = std::abs(landing.rows[0].impulse - half * (1 + q)) < 1e-9;
+  grade.number({"landing on two feet, three sweeps: impulse of the first (N s)",
+                half * (1 + std::pow(q, 5)),
+                {{half * (1 + q), "A later push may be negative: clamp the sum, not the push."}}},
+               landing.rows[0].impulse);
   grade.number(
-      {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
-       diagonal,
-       {{2 * diagonal, is_doubled
-                           ? "Each body is counted once: a sum over the bodies, not over both lists of them."
-                           : "The diagonal is counted twice: a row meets itself once."},
-        {mixed, "Every number meets every other: multiply only what two rows have for the same body."},
-        {2 + 0.0625 / 3 + 0.5 + 0.25 / 12, "Those are the masses: A has their inverses."},
-        {1 + 0.0625 + slanted_part2, "The inverse masses of body 1 are missing: A = J M⁻¹ Jᵀ."},
-        {slanted_part1 + 1 + 0.25, "The inverse masses of body 2 are missing: A = J M⁻¹ Jᵀ."},
-        {plain, "j is not squared: A_ii has each number of j twice."},
-        {1 / diagonal, "That is the effective mass: A_ii is its inverse."},
-        {diagonal * 0.05, "A has no Δt: only b has."},
-        {diagonal / 0.05, "A has no Δt: only b has."},
-        {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
-        {slanted_part2, "Body 1 is missing: sum over both bodies of the row."},
-        {2.5, "An index too few: the turn couples rows, too."},
-        {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}},
-      system.A[1][1]);
+      {"of the second (N s)",
+       half * (1 - std::pow(q, 6)),
+       {{half * (1 - q * q), is_naive ? "A later push may be negative: clamp the sum, not the push." : ""}}},
+      landing.rows[1].impulse);
 }
 
-static void grade_shared_body(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
-  const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
-  const double shared = coupled(rows[0].j2, inverse_heavy, rows[1].j1);
-  grade.number(
-      {"A[0][1]: body 1 is body 2 of one row, body 1 of the other",
-       shared,
-       {{0, is_diagonal
-                ? "Rows that share a body are coupled: A is more than its diagonal."
-                : "The rows share a body: look for the same body, not for the same place in the row."},
-        {2 * shared, "Each body is counted once: a sum over the bodies, not over both lists of them."},
-        {-shared, "The sign: J_i M⁻¹ J_kᵀ, the minus is in j1 already."},
-        {coupled(rows[0].j2, inverse_ones, rows[1].j1), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
-        {coupled(rows[0].j2, inverse_light, rows[1].j1),
-         "The inverse mass is that of the body that they share."},
-        {coupled(rows[0].j2, inverse_heavy, rows[1].j2) + coupled(rows[0].j1, inverse_none, rows[1].j1),
-         "The rows share a body: look for the same body, not for the same place in the row."}}},
-      system.A[0][1]);
-}
-
-static void grade_A(cairn::Grade& grade, const System& system) {
-  const std::vector<Row> rows = four_rows();
-  grade.number({"four rows: rows of A", 4}, static_cast<double>(system.A.size()));
-  if (system.A.size() != 4 || system.A[1].size() != 4) return;
-  grade_diagonal(grade, system, rows);
-  grade_shared_body(grade, system, rows);
-  const bool is_right = std::abs(system.A[1][1] - slanted_part1 - slanted_part2) < 1e-9;
-  const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
-  const double crossed =
-      coupled(rows[1].j1, inverse_heavy, rows[2].j2) + coupled(rows[1].j2, inverse_light, rows[2].j1);
-  grade.number(
-      {"A[1][2]: both bodies shared, the other way round (1/kg)",
-       crossed,
-       {{coupled(rows[1].j1, inverse_heavy, rows[2].j1) + coupled(rows[1].j2, inverse_light, rows[2].j2),
-         "Look for the same body, not for the same place in the row."},
-        {coupled(rows[1].j1, inverse_heavy, rows[2].j2), "Both bodies are shared: add both parts."},
-        {coupled(rows[1].j2, inverse_light, rows[2].j1), "Both bodies are shared: add both parts."}}},
-      system.A[1][2]);
-  grade.number({"A[2][1]: A is symmetric (1/kg)",
-                crossed,
-                {{0, system.A[1][2] == 0 ? "" : "Only one half of A is filled."}}},
-               system.A[2][1]);
-  grade.number(
-      {"A[0][2]: body 1 is body 2 of both rows (1/kg)",
-       coupled(rows[0].j2, inverse_heavy, rows[2].j2),
-       {{0, is_diagonal || !is_right ? "" : "All pairs of rows count, not only those beside each other."}}},
-      system.A[0][2]);
-  grade.number({"A[0][3]: both stand on the ground (1/kg)",
+static void grade_taking_back(cairn::Grade& grade) {
+  std::vector<Body> bodies = falling_tower({2}, 1);
+  std::vector<Row> rows = {upright_row(0, 1)};
+  sweep(rows, bodies);
+  bodies[1].velocity[1] += 0.25;
+  sweep(rows, bodies);
+  grade.number({"2 kg stopped from 1 m/s, then pulled up by 0.25 m/s: impulse (N s)",
+                1.5,
+                {{2, "A push may be negative: clamp the sum, not the push."}}},
+               rows[0].impulse);
+  bodies[1].velocity[1] += 4;
+  sweep(rows, bodies);
+  grade.number({"and by 4 m/s more: impulse (N s)",
                 0,
-                {{1, "The ground couples nothing: its inverse mass is 0."}}},
-               system.A[0][3]);
-  const std::string physics = physics_of(system);
-  grade.number({"pushes along single rows: they show the same A (1: yes)", 1}, physics.empty());
-  grade.explain(physics);
+                {{1.5 - 8, "A contact cannot pull: the sum stays above its lower bound."},
+                 {2, "A push may be negative: clamp the sum, not the push."}}},
+               rows[0].impulse);
+  grade.number({"its velocity then (m/s)",
+                4 - 1.5 / 2,
+                {{0, "Apply the new sum less the old one, not the whole correction."},
+                 {4.25, "Apply the new sum less the old one: here it is negative."}}},
+               bodies[1].velocity[1]);
 }
 
-static void grade_b(cairn::Grade& grade, const System& system) {
-  const double dt = 0.05, ground_rate = 0.5 * 2;  // row 0: v_y is 0, and the box turns with 2 rad/s
-  grade.number({"entries of b", 4}, static_cast<double>(system.b.size()));
-  if (system.b.size() != 4) return;
-  const double last_rate = 0.5 + 0.5;  // of row 2: (1, 0, -0.5) · (0, -3, -1) and (-1, 0, 0.75) · (1, 0, 2)
-  const char* const gravity = "Gravity is in v already, and has no part in b: b = (ζ − J v)/Δt.";
-  grade.number({"b[0], with a bias of 0.3 m/s (m/s²)",
-                (0.3 - ground_rate) / dt,
-                {{(0.3 - ground_rate) / dt + 10, gravity},
-                 {(0.3 - ground_rate) / dt - 10, gravity},
-                 {(0.3 - ground_rate) / dt + 9.81, gravity},
-                 {(0.3 - ground_rate) / dt - 9.81, gravity},
-                 {0.3 - ground_rate, "The factor 1/Δt is missing: λ is a force."},
-                 {(0.3 - ground_rate) * dt, "Divide by Δt: λ is a force."},
-                 {(ground_rate - 0.3) / dt, "The sign: b = (ζ − J v)/Δt."},
-                 {-ground_rate / dt, "ζ is missing: b = (ζ − J v)/Δt."},
-                 {(-0.3 - ground_rate) / dt, "The sign of ζ: b = (ζ − J v)/Δt."},
-                 {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}},
-               system.b[0]);
-  grade.number({"b[2], with a bias of −0.3 m/s (m/s²)",
-                (-0.3 - last_rate) / dt,
-                {{(0.3 - last_rate) / dt, "Each row has its own ζ."}, {0, "Each row has an entry of b."}}},
-               system.b[2]);
+/// The rows between two bodies, and one of them: the leftmost (k = 0) or rightmost (1) point of the upper
+/// body.
+static std::vector<Row> rows_between(const std::vector<Row>& rows, int body1, int body2) {
+  std::vector<Row> found;
+  for (const Row& row : rows)
+    if (row.body1 == body1 && row.body2 == body2) found.push_back(row);
+  return found;
+}
+
+static double count_of(const std::vector<Row>& rows) { return static_cast<double>(rows.size()); }
+
+/// Whether four contacts are found.
+static bool grade_points(cairn::Grade& grade) {
+  // The small box hangs over the right end of the large one, comes first in the list, and is slightly turned.
+  std::vector<Body> bodies = {make_box(0.75, 0.5, 3, 0.5, 1.249), make_box(1, 1, 2, 0.125, 0.5),
+                              make_box(10, 1, 0, 0, -0.5)};
+  bodies[0].position[2] = -0.002;
+  const std::vector<Row> rows = contacts(bodies), upper = rows_between(rows, 1, 0),
+                         lower = rows_between(rows, 2, 1);
+  const char* const lower_first = "body 1 is the lower one of the two, wherever it stands in the list.";
+  grade.number({"a small box on a large one on the ground: contacts",
+                4,
+                {{2, "Two boxes touch at two points: both ends of the width that they share."},
+                 {3, "What overlaps touches, however deep: look at the gap, not at its size."},
+                 {6, upper.empty() ? lower_first
+                                   : "Boxes with another box between them do not touch: look at the gap."}}},
+               count_of(rows));
+  grade.number({"with the large box as body 1, and the small one as body 2", 2, {{0, lower_first}}},
+               count_of(upper));
+  const bool finds = rows.size() == 4;
+  if (upper.size() != 2 || lower.size() != 2) return finds;
+  grade.number({"large box on the ground, left point: j2[2] (m)",
+                -0.5,
+                {{0.5, "Left before right."}, {-5.125, "The points are where both boxes are."}}},
+               lower[0].j2[2]);
+  grade.number({"small box on the large one, left point: j2[2] (m)", -0.375, {{0.125, "Left before right."}}},
+               upper[0].j2[2]);
+  grade.number({"right point: j2[2] (m)",
+                0.125,
+                {{0.375, "The large box ends there: the points lie within both widths."}}},
+               upper[1].j2[2]);
+  const double left = -0.001 - 0.002 * -0.375, right = -0.001 - 0.002 * 0.125;
+  grade.number({"gap at the left point (m)",
+                left,
+                {{-left, "The sign: overlap is a gap below 0."},
+                 {-0.001, "The box is turned: its face is not as high at both ends."},
+                 {-0.001 + 0.002 * -0.375, "The sign of the slope: a face rises by angle · x."}}},
+               upper[0].c);
+  grade.number({"gap at the right point (m)",
+                right,
+                {{-0.001, "The box is turned: its face is not as high at both ends."}}},
+               upper[1].c);
+  return finds;
+}
+
+/// A box of 4 m on a box that is turned: the slope of the lower face, and points that are ends of the lower
+/// box.
+static void grade_turned_below(cairn::Grade& grade, bool finds) {
+  std::vector<Body> bodies = {make_box(1, 1, 0, 0.25, 0.5), make_box(4, 1, 2, 0.5, 1.5)};
+  bodies[0].position[2] = -0.004;
+  const std::vector<Row> rows = contacts(bodies);
+  grade.number({"a box of 4 m on one of 1 m, which is turned by −0.004 rad: contacts",
+                1,
+                {{2, finds ? "The lower face has a slope as well: each point has a gap of its own." : ""},
+                 {0, finds ? "Each point for itself: one may touch where the other is open." : ""}}},
+               count_of(rows));
+  if (rows.size() != 1) return;
+  grade.number({"its point: j2[2] (m)",
+                -0.75,
+                {{0.25, "The sign of the slope: a face rises by angle · x."},
+                 {-2, "The points lie within both widths."}}},
+               rows[0].j2[2]);
+  grade.number({"its gap (m)", -0.002, {{0, "The lower face has a slope as well."}}}, rows[0].c);
+}
+
+/// Boxes in any order: not only neighbours in the list touch, and the heavy one need not be the lower.
+static void grade_any_order(cairn::Grade& grade, bool finds) {
+  const std::vector<Row> rows =
+      contacts({make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, -2, 0.5), make_box(1, 1, 2, 2, 0.5)});
+  grade.number({"two boxes beside each other on the ground: contacts",
+                4,
+                {{2, finds ? "All pairs of the list count, not only neighbours in it." : ""},
+                 {6, "Boxes side by side do not carry each other."}}},
+               count_of(rows));
+  const std::vector<Row> deep = contacts({make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, 0, 0.4)});
+  grade.number({"a box 0.1 m deep in the ground: contacts",
+                2,
+                {{0, finds ? "What overlaps touches, however deep." : ""}}},
+               count_of(deep));
+}
+
+static void grade_no_contact(cairn::Grade& grade) {
+  const Body ground = make_box(10, 1, 0, 0, -0.5);
+  grade.number({"2 mm above the ground: contacts", 0, {{2, "A gap of more than 1 mm is no contact."}}},
+               count_of(contacts({ground, make_box(1, 1, 2, 0, 0.502)})));
+  grade.number({"0.5 mm above the ground: contacts", 2, {{0, "A gap of less than 1 mm is a contact."}}},
+               count_of(contacts({ground, make_box(1, 1, 2, 0, 0.5005)})));
+  grade.number({"boxes that do not share any width: contacts",
+                0,
+                {{2, "Boxes side by side do not carry each other."}}},
+               count_of(contacts({make_box(1, 1, 2, 0, 0.5), make_box(1, 1, 2, 3, 1.499)})));
+  grade.number({"two bodies that cannot move: contacts", 0, {{2, "Neither can move: leave the pair out."}}},
+               count_of(contacts({ground, make_box(4, 1, 0, 0, 0.5)})));
 }
 
 static void grade_04(cairn::Grade& grade) {
-  const System system = build(four_rows(), four_bodies(), 0.05);
-  grade_A(grade, system);
-  grade_b(grade, system);
+  grade_landing(grade);
+  grade_taking_back(grade);
+  const bool finds = grade_points(grade);
+  grade_turned_below(grade, finds);
+  grade_any_order(grade, finds);
+  grade_no_contact(grade);
 }
 
 /// With those before it.

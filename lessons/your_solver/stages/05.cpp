@@ -1,177 +1,174 @@
-// Stage 05, graded: the row of a contact, bounds in newton, and sweeps over a matrix given here.
+// Stage 05, graded: A and b of four rows between bodies of 2 kg, 0.5 kg and 1 kg, entry by entry.
 #include "04.cpp"
 
-static void grade_contact(cairn::Grade& grade) {
-  const std::vector<Body> bodies = {make_box(10, 1, 0, 3, -0.5), make_box(1, 1, 2, 0.25, 0.5)};
-  const Row row = contact(bodies, 0, 1, {0.75, 0}, {0, 1}, -0.01);
+static Row made_row(int body1, Vec3 j1, int body2, Vec3 j2, double bias) {
+  Row row;
+  row.body1 = body1;
+  row.body2 = body2;
+  row.j1 = j1;
+  row.j2 = j2;
+  row.bias = bias;
+  return row;
+}
+
+/// Row 2 has the bodies of row 1 the other way round; row 3 shares nothing but the ground with row 0.
+static std::vector<Row> four_rows() {
+  return {made_row(0, {0, -1, 0.25}, 1, {0, 1, 0.5}, 0.3),
+          made_row(1, {-0.6, 0.8, 0.25}, 2, {0.6, -0.8, 0.5}, 0),
+          made_row(2, {1, 0, -0.5}, 1, {-1, 0, 0.75}, -0.3), made_row(0, {0, -1, 0}, 3, {0, 1, 0.5}, 0)};
+}
+
+static std::vector<Body> four_bodies() {
+  std::vector<Body> bodies = two_masses();
+  bodies.push_back(make_box(1, 1, 1, 5, 1));
+  bodies[3].velocity = {0, -1, 0};
+  return bodies;
+}
+
+/// j_i W j_k over the numbers that two rows have for one body.
+static double coupled(Vec3 first, Vec3 weight, Vec3 second) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += first[k] * weight[k] * second[k];
+  return sum;
+}
+
+/// The first entry of A that is not what a push shows: 1 N s along row k changes j·v of row i by A[i][k].
+static std::string physics_of(const System& system) {
+  const std::vector<Row> rows = four_rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < rows.size() && k < system.A[i].size(); ++k) {
+      std::vector<Body> bodies = four_bodies();
+      const double before = rate(rows[i], bodies);
+      apply_impulse(rows[k], 1, bodies);
+      const double change = rate(rows[i], bodies) - before;
+      if (std::abs(system.A[i][k] - change) < 1e-9) continue;
+      char words[200] = "";
+      std::snprintf(
+          words, sizeof words,
+          "Push row %zu with 1 N s, and j·v of row %zu grows by %.4g m/s. Your A[%zu][%zu] says %.4g.", k, i,
+          change, i, k, system.A[i][k]);
+      return words;
+    }
+  }
+  return "";
+}
+
+static const Vec3 inverse_heavy = {0.5, 0.5, 3}, inverse_light = {2, 2, 12}, inverse_ones = {1, 1, 1},
+                  inverse_none = {};  // inverse masses
+
+static void grade_diagonal(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
+  const double diagonal = slanted_part1 + slanted_part2;
+  const double mixed = diagonal + coupled(rows[1].j1, inverse_heavy, rows[1].j2) +
+                       coupled(rows[1].j2, inverse_light, rows[1].j1);
+  const double plain =
+      coupled(rows[1].j1, inverse_heavy, inverse_ones) + coupled(rows[1].j2, inverse_light, inverse_ones);
+  const bool is_doubled =
+      std::abs(system.A[0][1] - 2 * coupled(rows[0].j2, inverse_heavy, rows[1].j1)) < 1e-9;
   grade.number(
-      {"a contact that overlaps by 10 mm: c (m)", -0.01, {{0.01, "The sign: overlap is a gap below 0."}}},
-      row.c);
-  grade.number({"the contact: j2[1]",
-                1,
-                {{-1, "The sign: the normal leads from body 1 to body 2, and c grows that way."}}},
-               row.j2[1]);
-  grade.number({"the contact: j2[2] (m)",
-                0.5,
-                {{0.75, "The arm begins at the body's centre: subtract it from the point."},
-                 {-2.25, "The arms are swapped: r2 leads to the point from body 2."},
-                 {-0.5, "r × n is r_x n_y − r_y n_x: the order is reversed."},
-                 {0, "A push beside the centre turns the box: r × n."}}},
-               row.j2[2]);
-  grade.number({"the contact: j1[2] (m)",
-                2.25,
-                {{-2.25, "The sign: all of j1 has a minus."},
-                 {-0.75, "The arm begins at the body's centre: subtract it from the point."}}},
-               row.j1[2]);
-  const Row beside = contact(bodies, 0, 1, {0.75, 0.75}, {0.6, 0.8}, 0);
-  grade.number({"a contact with the normal (0.6, 0.8): j2[0]",
-                0.6,
-                {{0, row.j2[1] == 1 ? "The normal is given: it need not lead upwards." : ""}}},
-               beside.j2[0]);
-  const double infinite = 1.0 / 0.0;
-  grade.number({"the contact: lower bound (N s)",
+      {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
+       diagonal,
+       {{2 * diagonal, is_doubled
+                           ? "Each body is counted once: a sum over the bodies, not over both lists of them."
+                           : "The diagonal is counted twice: a row meets itself once."},
+        {mixed, "Every number meets every other: multiply only what two rows have for the same body."},
+        {2 + 0.0625 / 3 + 0.5 + 0.25 / 12, "Those are the masses: A has their inverses."},
+        {1 + 0.0625 + slanted_part2, "The inverse masses of body 1 are missing: A = J M⁻¹ Jᵀ."},
+        {slanted_part1 + 1 + 0.25, "The inverse masses of body 2 are missing: A = J M⁻¹ Jᵀ."},
+        {plain, "j is not squared: A_ii has each number of j twice."},
+        {1 / diagonal, "That is the effective mass: A_ii is its inverse."},
+        {diagonal * 0.05, "A has no Δt: only b has."},
+        {diagonal / 0.05, "A has no Δt: only b has."},
+        {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
+        {slanted_part2, "Body 1 is missing: sum over both bodies of the row."},
+        {2.5, "An index too few: the turn couples rows, too."},
+        {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}},
+      system.A[1][1]);
+}
+
+static void grade_shared_body(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
+  const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
+  const double shared = coupled(rows[0].j2, inverse_heavy, rows[1].j1);
+  grade.number(
+      {"A[0][1]: body 1 is body 2 of one row, body 1 of the other",
+       shared,
+       {{0, is_diagonal
+                ? "Rows that share a body are coupled: A is more than its diagonal."
+                : "The rows share a body: look for the same body, not for the same place in the row."},
+        {2 * shared, "Each body is counted once: a sum over the bodies, not over both lists of them."},
+        {-shared, "The sign: J_i M⁻¹ J_kᵀ, the minus is in j1 already."},
+        {coupled(rows[0].j2, inverse_ones, rows[1].j1), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
+        {coupled(rows[0].j2, inverse_light, rows[1].j1),
+         "The inverse mass is that of the body that they share."},
+        {coupled(rows[0].j2, inverse_heavy, rows[1].j2) + coupled(rows[0].j1, inverse_none, rows[1].j1),
+         "The rows share a body: look for the same body, not for the same place in the row."}}},
+      system.A[0][1]);
+}
+
+static void grade_A(cairn::Grade& grade, const System& system) {
+  const std::vector<Row> rows = four_rows();
+  grade.number({"four rows: rows of A", 4}, static_cast<double>(system.A.size()));
+  if (system.A.size() != 4 || system.A[1].size() != 4) return;
+  grade_diagonal(grade, system, rows);
+  grade_shared_body(grade, system, rows);
+  const bool is_right = std::abs(system.A[1][1] - slanted_part1 - slanted_part2) < 1e-9;
+  const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
+  const double crossed =
+      coupled(rows[1].j1, inverse_heavy, rows[2].j2) + coupled(rows[1].j2, inverse_light, rows[2].j1);
+  grade.number(
+      {"A[1][2]: both bodies shared, the other way round (1/kg)",
+       crossed,
+       {{coupled(rows[1].j1, inverse_heavy, rows[2].j1) + coupled(rows[1].j2, inverse_light, rows[2].j2),
+         "Look for the same body, not for the same place in the row."},
+        {coupled(rows[1].j1, inverse_heavy, rows[2].j2), "Both bodies are shared: add both parts."},
+        {coupled(rows[1].j2, inverse_light, rows[2].j1), "Both bodies are shared: add both parts."}}},
+      system.A[1][2]);
+  grade.number({"A[2][1]: A is symmetric (1/kg)",
+                crossed,
+                {{0, system.A[1][2] == 0 ? "" : "Only one half of A is filled."}}},
+               system.A[2][1]);
+  grade.number(
+      {"A[0][2]: body 1 is body 2 of both rows (1/kg)",
+       coupled(rows[0].j2, inverse_heavy, rows[2].j2),
+       {{0, is_diagonal || !is_right ? "" : "All pairs of rows count, not only those beside each other."}}},
+      system.A[0][2]);
+  grade.number({"A[0][3]: both stand on the ground (1/kg)",
                 0,
-                {{-infinite, "A contact cannot pull: its impulse is at least 0."}}},
-               row.lower);
-  grade.number(
-      {"the contact: upper bound (N s)", infinite, {{0, "A contact may push as hard as it has to."}}},
-      row.upper);
-  grade.number({"the lower bound of any other row (N s)",
-                -infinite,
-                {{0, "Bounds belong to the row: a rod may pull, so a new Row has none."}}},
-               Row().lower);
+                {{1, "The ground couples nothing: its inverse mass is 0."}}},
+               system.A[0][3]);
+  const std::string physics = physics_of(system);
+  grade.number({"pushes along single rows: they show the same A (1: yes)", 1}, physics.empty());
+  grade.explain(physics);
 }
 
-static void grade_bounds(cairn::Grade& grade) {
-  std::vector<Row> rows = {slanted_row(1, 2)};
-  rows[0].lower = -0.3;
-  rows[0].upper = 0.2;
-  const System system = build(rows, two_masses(), 0.05);
-  grade.number({"one row: entries of system.lower", 1}, static_cast<double>(system.lower.size()));
-  if (system.lower.size() != 1 || system.upper.size() != 1) return;
-  grade.number({"bounds from −0.3 to 0.2 N s, Δt = 0.05 s: lower (N)",
-                -0.3 / 0.05,
-                {{-0.3, "The factor 1/Δt is missing: λ is a force, a row's bounds are impulses."},
-                 {0.2 / 0.05, "Lower and upper are swapped."},
-                 {0, "Bounds belong to the row: row.lower, not 0."},
-                 {-0.3 * 0.05, "Divide by Δt: λ is a force."}}},
-               system.lower[0]);
-  grade.number({"upper (N)", 0.2 / 0.05, {{0.2, "The factor 1/Δt is missing: λ is a force."}}},
-               system.upper[0]);
-}
-
-static System made_system(std::vector<std::vector<double>> A, std::vector<double> b, double lower,
-                          double upper) {
-  System system;
-  system.A = A;
-  system.b = b;
-  system.lower.assign(b.size(), lower);
-  system.upper.assign(b.size(), upper);
-  return system;
-}
-
-static std::vector<double> swept(const System& system, int sweeps) {
-  std::vector<double> lambda(system.b.size(), 0.0);
-  for (int k = 0; k < sweeps; ++k) sweep_matrix(system, lambda);
-  return lambda;
-}
-
-static void grade_sweeps(cairn::Grade& grade) {
-  const double all = 1e9;
-  const System chain = made_system({{2, -1, 0}, {-1, 2.5, -2}, {0, -2, 4}}, {10, 0, 1}, -all, all);
-  const std::vector<double> once = swept(chain, 1), twice = swept(chain, 2);
-  const char* const order = "The order: a sweep goes from the first row to the last.";
-  const char* const before = "The rows before row i count as well: all k ≠ i.";
-  const bool is_jacobi = twice[1] > 1, is_backwards = std::abs(once[1] - 0.2) < 1e-9;
-  grade.number({"three rows, one sweep: λ of the first (N)",
-                10 / 2.0,
-                {{10, "Divide by A_ii."},
-                 {5.1, order},
-                 {0, "The first row was not visited, or lambda is a copy."},
-                 {20, "Divide by A_ii, do not multiply."}}},
-               once[0]);
-  grade.number({"of the second (N)",
-                5 / 2.5,
-                {{0, is_jacobi ? "That is Jacobi: use the newest λ, that of row 1 included." : before},
-                 {0.2, order},
-                 {-5 / 2.5, "The sign: b − Σ A_ik λ_k."},
-                 {-10 / 2.5 * 0.5, "The sign: b − Σ A_ik λ_k."}}},
-               once[1]);
-  grade.number({"of the third (N)",
-                (1 + 2 * 2) / 4.0,
-                {{0.25, is_backwards ? order
-                        : is_jacobi  ? "That is Jacobi: use the newest λ."
-                                     : before},
-                 {0, "An index too few: the last row was not visited."}}},
-               once[2]);
-  grade.number(
-      {"two sweeps: of the first (N)",
-       (10 + 2) / 2.0,
-       {{(10 + 2 - 2 * 5) / 2.0, "The sum leaves the row's own λ out: k ≠ i."},
-        {5,
-         once[1] == 0 ? "" : "The second sweep begins with what the first has found, and all k ≠ i count."},
-        {5 + 6, "λ_i is replaced, not added to: (28) gives the whole λ."}}},
-      twice[0]);
-}
-
-/// Three rows of which each meets both others; whether they and the chain are swept as they should be.
-static bool grade_star(cairn::Grade& grade) {
-  const double all = 1e9;
-  const std::vector<double> once =
-      swept(made_system({{2, 1, 1}, {1, 2, 1}, {1, 1, 2}}, {8, 0, 0}, -all, all), 1);
-  grade.number({"three rows that all meet, one sweep: λ of the third (N)",
-                -1,
-                {{1, once[1] == -2 ? "All other rows count, not only those beside row i." : ""}}},
-               once[2]);
-  return once[2] == -1;
-}
-
-static void grade_clamp(cairn::Grade& grade, bool sweeps) {
-  const double all = 1e9;
-  // The lesson's rod on two supports, with other numbers: without bounds row 1 would pull.
-  const System supports = made_system({{1, 0.75}, {0.75, 1}}, {10, 22.5}, 0, all);
-  const std::vector<double> twice = swept(supports, 2);
-  const double motor = swept(made_system({{2}}, {10}, -all, 3), 1)[0];
-  const char* const end =
-      "What is out of the bounds goes to the bound: not to 0, and not to the λ of before.";
-  const char* const undivided = "Clamp λ itself, after the division by A_ii.";
-  grade.number({"two supports, two sweeps: λ of the first (N)",
-                0,
-                {{10 - 0.75 * 15, "A contact cannot pull: clamp λ between its bounds."},
-                 {10, !sweeps      ? ""
-                      : motor == 0 ? end
-                                   : "Clamp λ itself, not what is added to it: it may go down again."}}},
-               twice[0]);
-  grade.number(
-      {"of the second (N)",
-       22.5,
-       {{22.5 + 0.75 * 1.25, "Clamp at once, in row 1's turn: row 2 has to see it."},
-        {15, sweeps && twice[0] == 0 ? "The second row has to see that the first gives nothing." : ""}}},
-      twice[1]);
-  grade.number({"a motor with at most 3 N, where 5 N are needed (N)",
-                3,
-                {{5, "The upper bound is not used."}, {0, end}, {1.5, undivided}}},
-               motor);
-  grade.number({"a lower bound of −4 N, where −5 N are needed (N)",
-                -4,
-                {{0, motor == 0 ? end : "Bounds belong to the row: clamp to system.lower, not to 0."},
-                 {-2, undivided},
-                 {-5, "The lower bound is not used."}}},
-               swept(made_system({{2}}, {-10}, -4, all), 1)[0]);
-  System both = made_system({{2, 0}, {0, 2}}, {10, 10}, -all, all);
-  both.upper[1] = 2;
-  grade.number({"a row with a bound behind one without: λ of the second (N)",
-                2,
-                {{5, motor == 3 ? "Each row has its own bounds: lower[i] and upper[i]." : ""}}},
-               swept(both, 1)[1]);
+static void grade_b(cairn::Grade& grade, const System& system) {
+  const double dt = 0.05, ground_rate = 0.5 * 2;  // row 0: v_y is 0, and the box turns with 2 rad/s
+  grade.number({"entries of b", 4}, static_cast<double>(system.b.size()));
+  if (system.b.size() != 4) return;
+  const double last_rate = 0.5 + 0.5;  // of row 2: (1, 0, -0.5) · (0, -3, -1) and (-1, 0, 0.75) · (1, 0, 2)
+  const char* const gravity = "Gravity is in v already, and has no part in b: b = (ζ − J v)/Δt.";
+  grade.number({"b[0], with a bias of 0.3 m/s (m/s²)",
+                (0.3 - ground_rate) / dt,
+                {{(0.3 - ground_rate) / dt + 10, gravity},
+                 {(0.3 - ground_rate) / dt - 10, gravity},
+                 {(0.3 - ground_rate) / dt + 9.81, gravity},
+                 {(0.3 - ground_rate) / dt - 9.81, gravity},
+                 {0.3 - ground_rate, "The factor 1/Δt is missing: λ is a force."},
+                 {(0.3 - ground_rate) * dt, "Divide by Δt: λ is a force."},
+                 {(ground_rate - 0.3) / dt, "The sign: b = (ζ − J v)/Δt."},
+                 {-ground_rate / dt, "ζ is missing: b = (ζ − J v)/Δt."},
+                 {(-0.3 - ground_rate) / dt, "The sign of ζ: b = (ζ − J v)/Δt."},
+                 {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}},
+               system.b[0]);
+  grade.number({"b[2], with a bias of −0.3 m/s (m/s²)",
+                (-0.3 - last_rate) / dt,
+                {{(0.3 - last_rate) / dt, "Each row has its own ζ."}, {0, "Each row has an entry of b."}}},
+               system.b[2]);
 }
 
 static void grade_05(cairn::Grade& grade) {
-  grade_contact(grade);
-  grade_bounds(grade);
-  grade_sweeps(grade);
-  const bool sweeps = grade_star(grade);
-  grade_clamp(grade, sweeps);
+  const System system = build(four_rows(), four_bodies(), 0.05);
+  grade_A(grade, system);
+  grade_b(grade, system);
 }
 
 /// With those before it.

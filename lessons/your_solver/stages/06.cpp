@@ -1,164 +1,135 @@
-// Stage 06, graded: sweeps over a tower of 2, 0.5 and 1 kg, held against plain loops on a line.
+// Stage 06, graded: bounds in newton, and sweeps over a matrix given here.
 #include "05.cpp"
 
-/// The row of two bodies on a line: j·v is how fast the second rises from the first.
-static Row upright_row(int below, int above) {
-  Row row;
-  row.body1 = below;
-  row.body2 = above;
-  row.j1 = {0, -1, 0};
-  row.j2 = {0, 1, 0};
-  row.lower = 0;
-  return row;
+static void grade_bounds(cairn::Grade& grade) {
+  std::vector<Row> rows = {slanted_row(1, 2)};
+  rows[0].lower = -0.3;
+  rows[0].upper = 0.2;
+  const System system = build(rows, two_masses(), 0.05);
+  grade.number({"one row: entries of system.lower", 1}, static_cast<double>(system.lower.size()));
+  if (system.lower.size() != 1 || system.upper.size() != 1) return;
+  grade.number({"bounds from −0.3 to 0.2 N s, Δt = 0.05 s: lower (N)",
+                -0.3 / 0.05,
+                {{-0.3, "The factor 1/Δt is missing: λ is a force, a row's bounds are impulses."},
+                 {0.2 / 0.05, "Lower and upper are swapped."},
+                 {0, "Bounds belong to the row: row.lower, not 0."},
+                 {-0.3 * 0.05, "Divide by Δt: λ is a force."}}},
+               system.lower[0]);
+  grade.number({"upper (N)", 0.2 / 0.05, {{0.2, "The factor 1/Δt is missing: λ is a force."}}},
+               system.upper[0]);
 }
 
-/// The ground and boxes of these masses above each other, which all fall at this speed.
-static std::vector<Body> falling_tower(const std::vector<double>& masses, double speed) {
-  std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5)};
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    bodies.push_back(make_box(1, 1, masses[i], 0, 0.5 + static_cast<double>(i)));
-    bodies.back().velocity[1] = -speed;
-  }
-  return bodies;
+static System made_system(std::vector<std::vector<double>> A, std::vector<double> b, double lower,
+                          double upper) {
+  System system;
+  system.A = A;
+  system.b = b;
+  system.lower.assign(b.size(), lower);
+  system.upper.assign(b.size(), upper);
+  return system;
 }
 
-static std::vector<Row> tower_rows(int boxes) {
-  std::vector<Row> rows;
-  for (int i = 0; i < boxes; ++i) rows.push_back(upright_row(i, i + 1));
-  return rows;
+static std::vector<double> swept(const System& system, int sweeps) {
+  std::vector<double> lambda(system.b.size(), 0.0);
+  for (int k = 0; k < sweeps; ++k) sweep_matrix(system, lambda);
+  return lambda;
 }
 
-/// Without bodies and rows: masses on a line, swept by hand. v[0] is the ground.
-struct LineTower {
-  std::vector<double> weights = {};  // 1/m, the ground's 0 first
-  std::vector<double> v = {}, impulse = {};
-
-  LineTower(const std::vector<double>& masses, double speed)
-      : weights{0}, v{0}, impulse(masses.size() + 1, 0.0) {
-    for (const double mass : masses) {
-      weights.push_back(1 / mass);
-      v.push_back(-speed);
-    }
-  }
-  void push(std::size_t i, double p) {
-    v[i] += weights[i] * p;
-    v[i - 1] -= weights[i - 1] * p;
-  }
-  void sweep_by_hand() {
-    for (std::size_t i = 1; i < v.size(); ++i) {
-      const double sum = std::max(0.0, impulse[i] + (v[i - 1] - v[i]) / (weights[i] + weights[i - 1]));
-      push(i, sum - impulse[i]);
-      impulse[i] = sum;
-    }
-  }
-};
-
-static void grade_tower(cairn::Grade& grade) {
-  const std::vector<double> masses = {2, 0.5, 1};
-  std::vector<Body> bodies = falling_tower(masses, 0.5);
-  std::vector<Row> rows = tower_rows(3);
-  LineTower line(masses, 0.5);
-  sweep(rows, bodies);
-  line.sweep_by_hand();
-  grade.number({"tower of 2, 0.5 and 1 kg, one sweep: impulse on the ground (N s)",
-                line.impulse[1],
-                {{0, "row.impulse has not changed: add the push to the rows of the list."},
-                 {-line.impulse[1], "The sign: boxes that close in are pushed apart."}}},
-               rows[0].impulse);
-  // What an impulse of 0 comes from shows in the velocities, and in a second sweep.
-  std::vector<Body> later_bodies = bodies;
-  std::vector<Row> later = rows;
-  sweep(later, later_bodies);
-  LineTower later_line = line;
-  later_line.sweep_by_hand();
-  const bool is_kept = rows[0].impulse != 0, has_moved = bodies[1].velocity[1] != -0.5;
-  const char* why_nothing = "No row has changed a velocity: apply each push at once.";
-  if (has_moved) why_nothing = "Apply each push at once, not after the sweep.";
-  if (has_moved && later[1].impulse == 0)
-    why_nothing = "The second row was not visited: a sweep visits all rows.";
-  if (std::abs(later[0].impulse - later_line.impulse[1]) < 1e-9)
-    why_nothing = "The order: a sweep goes from the first row to the last.";
-  if (bodies[1].velocity[1] < -0.5) why_nothing = "The sign: apply the push as it is.";
-  if (!is_kept) why_nothing = "";
-  grade.number({"of the second row (N s)",
-                line.impulse[2],
-                {{0, why_nothing}, {2 * line.impulse[2], "Each push has been applied twice."}}},
-               rows[1].impulse);
+static void grade_sweeps(cairn::Grade& grade) {
+  const double all = 1e9;
+  const System chain = made_system({{2, -1, 0}, {-1, 2.5, -2}, {0, -2, 4}}, {10, 0, 1}, -all, all);
+  const std::vector<double> once = swept(chain, 1), twice = swept(chain, 2);
+  const char* const order = "The order: a sweep goes from the first row to the last.";
+  const char* const before = "The rows before row i count as well: all k ≠ i.";
+  const bool is_jacobi = twice[1] > 1, is_backwards = std::abs(once[1] - 0.2) < 1e-9;
+  grade.number({"three rows, one sweep: λ of the first (N)",
+                10 / 2.0,
+                {{10, "Divide by A_ii."},
+                 {5.1, order},
+                 {0, "The first row was not visited, or lambda is a copy."},
+                 {20, "Divide by A_ii, do not multiply."}}},
+               once[0]);
+  grade.number({"of the second (N)",
+                5 / 2.5,
+                {{0, is_jacobi ? "That is Jacobi: use the newest λ, that of row 1 included." : before},
+                 {0.2, order},
+                 {-5 / 2.5, "The sign: b − Σ A_ik λ_k."},
+                 {-10 / 2.5 * 0.5, "The sign: b − Σ A_ik λ_k."}}},
+               once[1]);
+  grade.number({"of the third (N)",
+                (1 + 2 * 2) / 4.0,
+                {{0.25, is_backwards ? order
+                        : is_jacobi  ? "That is Jacobi: use the newest λ."
+                                     : before},
+                 {0, "An index too few: the last row was not visited."}}},
+               once[2]);
   grade.number(
-      {"of the third row (N s)",
-       line.impulse[3],
-       {{0, !is_kept               ? ""
-            : rows[1].impulse != 0 ? "The last row was not visited."
-            : later[1].impulse == 0 || !has_moved || later_line.impulse[1] == later[0].impulse
-                ? why_nothing
-                : "No row has changed a velocity in time: apply each push at once, not after the sweep."}}},
-      rows[2].impulse);
-  grade.number(
-      {"velocity of the lowest box (m/s)",
-       line.v[1],
-       {{0, rows[1].impulse == 0 ? "" : "The second row pushes the lowest box down again: both ends."},
-        {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}},
-      bodies[1].velocity[1]);
-  const double first = line.impulse[1];
-  sweep(rows, bodies);
-  line.sweep_by_hand();
-  grade.number({"two sweeps: impulse on the ground (N s)",
-                line.impulse[1],
-                {{line.impulse[1] - first, "The second push has replaced the first: row.impulse is the sum."},
-                 {first, rows[1].impulse == 0 ? "" : "The second sweep has not pushed."}}},
-               rows[0].impulse);
+      {"two sweeps: of the first (N)",
+       (10 + 2) / 2.0,
+       {{(10 + 2 - 2 * 5) / 2.0, "The sum leaves the row's own λ out: k ≠ i."},
+        {5,
+         once[1] == 0 ? "" : "The second sweep begins with what the first has found, and all k ≠ i count."},
+        {5 + 6, "λ_i is replaced, not added to: (28) gives the whole λ."}}},
+      twice[0]);
 }
 
-static void grade_two_sweeps(cairn::Grade& grade) {
-  std::vector<Body> bodies = falling_tower({2}, 1);
-  std::vector<Row> rows = {upright_row(0, 1)};
-  rows[0].bias = 0.25;
-  sweep(rows, bodies);
-  grade.number({"2 kg that falls at 1 m/s and is to rise at 0.25 m/s: impulse (N s)",
-                2 * 1.25,
-                {{2, "Use the row's correction: it has the bias in it."}}},
-               rows[0].impulse);
-  const bool stops = std::abs(bodies[1].velocity[1] - 0.25) < 1e-9;
-  bodies[1].velocity[1] -= 0.5;
-  sweep(rows, bodies);
-  grade.number({"pushed down by 0.5 m/s, and swept again: velocity (m/s)",
-                0.25,
-                {{1.5, stops ? "Apply the push: the rest of the sum was applied before." : ""}}},
-               bodies[1].velocity[1]);
+/// Three rows of which each meets both others; whether they and the chain are swept as they should be.
+static bool grade_star(cairn::Grade& grade) {
+  const double all = 1e9;
+  const std::vector<double> once =
+      swept(made_system({{2, 1, 1}, {1, 2, 1}, {1, 1, 2}}, {8, 0, 0}, -all, all), 1);
+  grade.number({"three rows that all meet, one sweep: λ of the third (N)",
+                -1,
+                {{1, once[1] == -2 ? "All other rows count, not only those beside row i." : ""}}},
+               once[2]);
+  return once[2] == -1;
 }
 
-static void grade_one_row(cairn::Grade& grade) {
-  std::vector<Body> bodies = falling_tower({2}, -1);
-  std::vector<Row> rows = {upright_row(0, 1)};
-  sweep(rows, bodies);
-  grade.number({"2 kg that rises at 1 m/s from its contact: impulse (N s)",
+static void grade_clamp(cairn::Grade& grade, bool sweeps) {
+  const double all = 1e9;
+  // The lesson's rod on two supports, with other numbers: without bounds row 1 would pull.
+  const System supports = made_system({{1, 0.75}, {0.75, 1}}, {10, 22.5}, 0, all);
+  const std::vector<double> twice = swept(supports, 2);
+  const double motor = swept(made_system({{2}}, {10}, -all, 3), 1)[0];
+  const char* const end =
+      "What is out of the bounds goes to the bound: not to 0, and not to the λ of before.";
+  const char* const undivided = "Clamp λ itself, after the division by A_ii.";
+  grade.number({"two supports, two sweeps: λ of the first (N)",
                 0,
-                {{-2, "A contact cannot pull: clamp the push between the bounds."}}},
-               rows[0].impulse);
-  grade.number({"its velocity (m/s)", 1, {{0, "Apply what the clamp has left, not the correction."}}},
-               bodies[1].velocity[1]);
-  bodies = falling_tower({2}, 1);
-  rows[0] = upright_row(0, 1);
-  rows[0].upper = 0.5;
-  sweep(rows, bodies);
-  grade.number({"2 kg that falls at 1 m/s, at most 0.5 N s: velocity (m/s)",
-                -1 + 0.5 / 2,
-                {{0, "The upper bound is not used: a row is only as strong as its bounds."}}},
-               bodies[1].velocity[1]);
-  bodies = falling_tower({0.5}, -1);
-  rows[0] = upright_row(0, 1);
-  rows[0].lower = -rows[0].upper;
-  sweep(rows, bodies);
-  grade.number({"0.5 kg that rises on a rod, which may pull: impulse (N s)",
-                -0.5,
-                {{0, "Bounds belong to the row: clamp to row.lower, not to 0."}}},
-               rows[0].impulse);
+                {{10 - 0.75 * 15, "A contact cannot pull: clamp λ between its bounds."},
+                 {10, !sweeps      ? ""
+                      : motor == 0 ? end
+                                   : "Clamp λ itself, not what is added to it: it may go down again."}}},
+               twice[0]);
+  grade.number(
+      {"of the second (N)",
+       22.5,
+       {{22.5 + 0.75 * 1.25, "Clamp immediately, in row 1's turn: row 2 has to see it."},
+        {15, sweeps && twice[0] == 0 ? "The second row has to see that the first gives nothing." : ""}}},
+      twice[1]);
+  grade.number({"a motor with at most 3 N, where 5 N are needed (N)",
+                3,
+                {{5, "The upper bound is not used."}, {0, end}, {1.5, undivided}}},
+               motor);
+  grade.number({"a lower bound of −4 N, where −5 N are needed (N)",
+                -4,
+                {{0, motor == 0 ? end : "Bounds belong to the row: clamp to system.lower, not to 0."},
+                 {-2, undivided},
+                 {-5, "The lower bound is not used."}}},
+               swept(made_system({{2}}, {-10}, -4, all), 1)[0]);
+  System both = made_system({{2, 0}, {0, 2}}, {10, 10}, -all, all);
+  both.upper[1] = 2;
+  grade.number({"a row with a bound behind one without: λ of the second (N)",
+                2,
+                {{5, motor == 3 ? "Each row has its own bounds: lower[i] and upper[i]." : ""}}},
+               swept(both, 1)[1]);
 }
 
 static void grade_06(cairn::Grade& grade) {
-  grade_tower(grade);
-  grade_two_sweeps(grade);
-  grade_one_row(grade);
+  grade_bounds(grade);
+  grade_sweeps(grade);
+  const bool sweeps = grade_star(grade);
+  grade_clamp(grade, sweeps);
 }
 
 /// With those before it.

@@ -1,167 +1,111 @@
-// Stage 07, graded: what a landing box's feet give in total, and the contacts of boxes.
+// Stage 07, graded: λ of both ways after each sweep, held against plain loops on a line and against the
+// feet's formula.
 #include "06.cpp"
 
-/// A box of 2 kg with feet 0.25 m to the left and right of its centre comes down at 3 m/s.
-struct Landing {
-  std::vector<Body> bodies = {make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, 0, 0.5)};
-  std::vector<Row> rows = {contact(bodies, 0, 1, {-0.25, 0}, {0, 1}, 0),
-                           contact(bodies, 0, 1, {0.25, 0}, {0, 1}, 0)};
-  Landing() { bodies[1].velocity[1] = -3; }
-};
-
-static void grade_landing(cairn::Grade& grade) {
-  const double half = 2 * 3 / 2.0,
-               q = (1 / 2.0 - 0.0625 * 3) / (1 / 2.0 + 0.0625 * 3);  // A₁₂/A₁₁, with 1/I = 3
-  Landing landing;
-  for (int k = 0; k < 3; ++k) sweep(landing.rows, landing.bodies);
-  const bool is_naive = std::abs(landing.rows[0].impulse - half * (1 + q)) < 1e-9;
-  grade.number({"landing on two feet, three sweeps: impulse of the first (N s)",
-                half * (1 + std::pow(q, 5)),
-                {{half * (1 + q), "A later push may be negative: clamp the sum, not the push."}}},
-               landing.rows[0].impulse);
-  grade.number(
-      {"of the second (N s)",
-       half * (1 - std::pow(q, 6)),
-       {{half * (1 - q * q), is_naive ? "A later push may be negative: clamp the sum, not the push." : ""}}},
-      landing.rows[1].impulse);
+static void grade_sizes(cairn::Grade& grade, const Record& record, std::size_t sweeps, std::size_t rows) {
+  const double fewer = static_cast<double>(sweeps) - 1;
+  grade.number({"four sweeps: entries of record.matrix",
+                static_cast<double>(sweeps),
+                {{1, "One entry for each sweep, not only for the last."}, {fewer, "An index too few."}}},
+               static_cast<double>(record.matrix.size()));
+  grade.number({"entries of record.impulses",
+                static_cast<double>(sweeps),
+                {{1, "One entry for each sweep, not only for the last."}, {fewer, "An index too few."}}},
+               static_cast<double>(record.impulses.size()));
+  for (const auto& lambda : record.matrix)
+    grade.number({"rows in an entry of record.matrix", static_cast<double>(rows)},
+                 static_cast<double>(lambda.size()));
+  for (const auto& lambda : record.impulses)
+    grade.number({"rows in an entry of record.impulses", static_cast<double>(rows)},
+                 static_cast<double>(lambda.size()));
 }
 
-static void grade_taking_back(cairn::Grade& grade) {
-  std::vector<Body> bodies = falling_tower({2}, 1);
-  std::vector<Row> rows = {upright_row(0, 1)};
-  sweep(rows, bodies);
-  bodies[1].velocity[1] += 0.25;
-  sweep(rows, bodies);
-  grade.number({"2 kg stopped from 1 m/s, then pulled up by 0.25 m/s: impulse (N s)",
-                1.5,
-                {{2, "A push may be negative: clamp the sum, not the push."}}},
-               rows[0].impulse);
-  bodies[1].velocity[1] += 4;
-  sweep(rows, bodies);
-  grade.number({"and by 4 m/s more: impulse (N s)",
-                0,
-                {{1.5 - 8, "A contact cannot pull: the sum stays above its lower bound."},
-                 {2, "A push may be negative: clamp the sum, not the push."}}},
-               rows[0].impulse);
-  grade.number({"its velocity then (m/s)",
-                4 - 1.5 / 2,
-                {{0, "Apply the new sum less the old one, not the whole correction."},
-                 {4.25, "Apply the new sum less the old one: here it is negative."}}},
-               bodies[1].velocity[1]);
+static void grade_both_ways(cairn::Grade& grade) {
+  const double dt = 0.05;
+  const std::vector<double> masses = {2, 0.5, 1};
+  std::vector<Row> rows = tower_rows(3);
+  for (Row& row : rows) row.impulse = 7;  // of another step
+  const Record record = compare(rows, falling_tower(masses, 0.5), dt, 4);
+  grade_sizes(grade, record, 4, 3);
+  if (!grade.passed()) return;
+  LineTower line(masses, 0.5), shifted(masses, 0.5);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::vector<double> before = line.impulse;
+    line.sweep_by_hand();
+    LineTower next = line;
+    next.sweep_by_hand();
+    const std::string sweep_of = "sweep " + std::to_string(k + 1) + ": λ on the ground, with ";
+    const double force = line.impulse[1] / dt;
+    grade.number(
+        {sweep_of + "the matrix (N)",
+         force,
+         {{LineTower(masses, 0.5).v[1] * -2 / dt, "Each sweep begins where the last one ended: keep λ."},
+          {next.impulse[1] / dt, "One sweep before each entry, not two."},
+          {before[1] / dt, "Record λ after the sweep, not before it."}}},
+        record.matrix[k][0]);
+    grade.number({sweep_of + "impulses (N)",
+                  force,
+                  {{line.impulse[1], "That is an impulse in N s: divide by Δt."},
+                   {line.impulse[1] * dt, "Divide by Δt, do not multiply."},
+                   {2 * 0.5 / dt, "Each sweep begins where the last one ended: keep rows and bodies."},
+                   {before[1] / dt, "Record λ after the sweep, not before it."},
+                   {(line.impulse[1] - before[1]) / dt,
+                    "That is the push of one sweep: row.impulse is the sum of all."},
+                   {(7 + line.impulse[1]) / dt, "Both begin from 0."}}},
+                 record.impulses[k][0]);
+  }
 }
 
-/// The rows between two bodies, and one of them: the leftmost (k = 0) or rightmost (1) point of the upper
-/// body.
-static std::vector<Row> rows_between(const std::vector<Row>& rows, int body1, int body2) {
-  std::vector<Row> found;
-  for (const Row& row : rows)
-    if (row.body1 == body1 && row.body2 == body2) found.push_back(row);
-  return found;
+/// The last of three rows, so that each has its own λ.
+static void grade_last_row(cairn::Grade& grade) {
+  const double dt = 0.05;
+  const std::vector<double> masses = {2, 0.5, 1};
+  const Record record = compare(tower_rows(3), falling_tower(masses, 0.5), dt, 2);
+  if (record.matrix.size() != 2 || record.impulses.size() != 2) return;
+  LineTower line(masses, 0.5);
+  for (int k = 0; k < 2; ++k) line.sweep_by_hand();
+  const char* const own = "Each row has its own λ.";
+  const double first = line.impulse[1] / dt, last = line.impulse[3] / dt;
+  grade.number({"sweep 2: λ of the third row, with the matrix (N)", last, {{first, own}}},
+               record.matrix[1][2]);
+  grade.number({"with impulses (N)", last, {{first, own}}}, record.impulses[1][2]);
 }
 
-static double count_of(const std::vector<Row>& rows) { return static_cast<double>(rows.size()); }
-
-/// Whether four contacts are found.
-static bool grade_points(cairn::Grade& grade) {
-  // The small box hangs over the right end of the large one, comes first in the list, and is slightly turned.
-  std::vector<Body> bodies = {make_box(0.75, 0.5, 3, 0.5, 1.249), make_box(1, 1, 2, 0.125, 0.5),
-                              make_box(10, 1, 0, 0, -0.5)};
-  bodies[0].position[2] = -0.002;
-  const std::vector<Row> rows = contacts(bodies), upper = rows_between(rows, 1, 0),
-                         lower = rows_between(rows, 2, 1);
-  const char* const lower_first = "body 1 is the lower one of the two, wherever it stands in the list.";
-  grade.number({"a small box on a large one on the ground: contacts",
-                4,
-                {{2, "Two boxes touch at two points: both ends of the width that they share."},
-                 {3, "What overlaps touches, however deep: look at the gap, not at its size."},
-                 {6, upper.empty() ? lower_first
-                                   : "Boxes with another box between them do not touch: look at the gap."}}},
-               count_of(rows));
-  grade.number({"with the large box as body 1, and the small one as body 2", 2, {{0, lower_first}}},
-               count_of(upper));
-  const bool finds = rows.size() == 4;
-  if (upper.size() != 2 || lower.size() != 2) return finds;
-  grade.number({"large box on the ground, left point: j2[2] (m)",
-                -0.5,
-                {{0.5, "Left before right."}, {-5.125, "The points are where both boxes are."}}},
-               lower[0].j2[2]);
-  grade.number({"small box on the large one, left point: j2[2] (m)", -0.375, {{0.125, "Left before right."}}},
-               upper[0].j2[2]);
-  grade.number({"right point: j2[2] (m)",
-                0.125,
-                {{0.375, "The large box ends there: the points lie within both widths."}}},
-               upper[1].j2[2]);
-  const double left = -0.001 - 0.002 * -0.375, right = -0.001 - 0.002 * 0.125;
-  grade.number({"gap at the left point (m)",
-                left,
-                {{-left, "The sign: overlap is a gap below 0."},
-                 {-0.001, "The box is turned: its face is not as high at both ends."},
-                 {-0.001 + 0.002 * -0.375, "The sign of the slope: a face rises by angle · x."}}},
-               upper[0].c);
-  grade.number({"gap at the right point (m)",
-                right,
-                {{-0.001, "The box is turned: its face is not as high at both ends."}}},
-               upper[1].c);
-  return finds;
+static void grade_feet(cairn::Grade& grade) {
+  const double dt = 0.05, half = 3, q = 5.0 / 11;  // as in stage 04
+  const Landing landing;
+  const Record record = compare(landing.rows, landing.bodies, dt, 3);
+  grade.number({"three sweeps: entries of record.impulses",
+                3,
+                {{4, "`sweeps` says how many there are."}, {10, "`sweeps` says how many there are."}}},
+               static_cast<double>(record.impulses.size()));
+  if (record.matrix.size() != 3 || record.impulses.size() != 3) return;
+  const double taken_back = half * (1 + std::pow(q, 5)) / dt;
+  grade.number({"landing on two feet, sweep 3: with the matrix (N)", taken_back}, record.matrix[2][0]);
+  grade.number({"with impulses (N)", taken_back}, record.impulses[2][0]);
 }
 
-/// A box of 4 m on a box that is turned: the slope of the lower face, and points that are ends of the lower
-/// box.
-static void grade_turned_below(cairn::Grade& grade, bool finds) {
-  std::vector<Body> bodies = {make_box(1, 1, 0, 0.25, 0.5), make_box(4, 1, 2, 0.5, 1.5)};
-  bodies[0].position[2] = -0.004;
-  const std::vector<Row> rows = contacts(bodies);
-  grade.number({"a box of 4 m on one of 1 m, which is turned by −0.004 rad: contacts",
-                1,
-                {{2, finds ? "The lower face has a slope as well: each point has a gap of its own." : ""},
-                 {0, finds ? "Each point for itself: one may touch where the other is open." : ""}}},
-               count_of(rows));
-  if (rows.size() != 1) return;
-  grade.number({"its point: j2[2] (m)",
-                -0.75,
-                {{0.25, "The sign of the slope: a face rises by angle · x."},
-                 {-2, "The points lie within both widths."}}},
-               rows[0].j2[2]);
-  grade.number({"its gap (m)", -0.002, {{0, "The lower face has a slope as well."}}}, rows[0].c);
-}
-
-/// Boxes in any order: not only neighbours in the list touch, and the heavy one need not be the lower.
-static void grade_any_order(cairn::Grade& grade, bool finds) {
-  const std::vector<Row> rows =
-      contacts({make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, -2, 0.5), make_box(1, 1, 2, 2, 0.5)});
-  grade.number({"two boxes beside each other on the ground: contacts",
-                4,
-                {{2, finds ? "All pairs of the list count, not only neighbours in it." : ""},
-                 {6, "Boxes side by side do not carry each other."}}},
-               count_of(rows));
-  const std::vector<Row> deep = contacts({make_box(10, 1, 0, 0, -0.5), make_box(1, 1, 2, 0, 0.4)});
-  grade.number({"a box 0.1 m deep in the ground: contacts",
-                2,
-                {{0, finds ? "What overlaps touches, however deep." : ""}}},
-               count_of(deep));
-}
-
-static void grade_no_contact(cairn::Grade& grade) {
-  const Body ground = make_box(10, 1, 0, 0, -0.5);
-  grade.number({"2 mm above the ground: contacts", 0, {{2, "A gap of more than 1 mm is no contact."}}},
-               count_of(contacts({ground, make_box(1, 1, 2, 0, 0.502)})));
-  grade.number({"0.5 mm above the ground: contacts", 2, {{0, "A gap of less than 1 mm is a contact."}}},
-               count_of(contacts({ground, make_box(1, 1, 2, 0, 0.5005)})));
-  grade.number({"boxes that do not share any width: contacts",
-                0,
-                {{2, "Boxes side by side do not carry each other."}}},
-               count_of(contacts({make_box(1, 1, 2, 0, 0.5), make_box(1, 1, 2, 3, 1.499)})));
-  grade.number({"two bodies that cannot move: contacts", 0, {{2, "Neither can move: leave the pair out."}}},
-               count_of(contacts({ground, make_box(4, 1, 0, 0, 0.5)})));
+static void grade_bias_both_ways(cairn::Grade& grade) {
+  std::vector<Row> rows = tower_rows(1);
+  rows[0].bias = 0.25;
+  const Record record = compare(rows, falling_tower({0.5}, 1), 0.04, 2);
+  if (record.matrix.empty() || record.impulses.empty()) return;
+  const double force = 0.5 * 1.25 / 0.04;
+  grade.number({"0.5 kg that is to rise at 0.25 m/s: with the matrix (N)",
+                force,
+                {{0, "A and b are built once, from the velocities before the first sweep."}}},
+               record.matrix.back()[0]);
+  grade.number({"with impulses (N)",
+                force,
+                {{force * 0.04 / 0.05, "This step has 0.04 s: divide by the dt that is given."}}},
+               record.impulses.back()[0]);
 }
 
 static void grade_07(cairn::Grade& grade) {
-  grade_landing(grade);
-  grade_taking_back(grade);
-  const bool finds = grade_points(grade);
-  grade_turned_below(grade, finds);
-  grade_any_order(grade, finds);
-  grade_no_contact(grade);
+  grade_both_ways(grade);
+  grade_last_row(grade);
+  grade_feet(grade);
+  grade_bias_both_ways(grade);
 }
 
 /// With those before it.

@@ -1,0 +1,41 @@
+// What lesson 03 is: its title, its equations, its question, its parameters.
+#include "lessons/kit/card.hpp"
+
+namespace cairn {
+
+const LessonCard lesson03(
+    {.number = 3,
+     .name = "sequential_impulses",
+     .title = "Sequential impulses",
+     .idea =
+         "The contacts of a stack share boxes, so each push disturbs other contacts. Visit them one by one, "
+         "push just hard enough, immediately, and go round again.",
+     .paper = "paper 3.2, eq (19)-(23), Algorithm 1",
+     .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)     the force that this row needs [N]",
+                   "(23)  p = jᵀ λ Δt                        the impulse it gives [N s]",
+                   "(21)  v ← v + M⁻¹ p                      to its two bodies, immediately"},
+     .needs = {"lesson 02"},
+     .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
+     .question =
+         "Boxes of 1, 1 and 9\u00a0kg fall at 0.2\u00a0m/s. From the ground up, each contact in turn pushes "
+         "just so hard that its own two boxes stop approaching each other. After one such sweep, how fast "
+         "does the "
+         "heavy box still fall, in m/s?",
+     .spoilers = {"0.19", "stops box 1"},
+     .unasked = {"sweeps", "seed"},
+     .hints =
+         {"A push has two ends: it slows the upper box and speeds up the lower one, the lighter one "
+          "more.",
+          "Row 1 stops box 1. Row 2 finds 0.2 m/s between two boxes of 1 kg; both fall at 0.1 m/s then.",
+          "Row 3 makes boxes 2 and 3 fall equally fast and keeps their momentum: 1 kg × 0.1 m/s + 9 kg × 0.2 "
+          "m/s."},
+     .parameters = {{"bodies", 3, 1, 10, "", "boxes", Parameter::Kind::whole},
+                    {"dt", 0.02, 0.0001, 1, "s", "time step"},
+                    {"gravity", 10, 0.01, 1000, "m/s^2", "gravity, downwards"},
+                    {"sweeps", 10, 1, 100, "", "sweeps", Parameter::Kind::whole},
+                    {"seed", 1, 0, 1e9, "", "of --order shuffle", Parameter::Kind::whole}},
+     .choices = {{"order", {"up", "down", "shuffle"}, "in which rows are visited"}},
+     .cover = 1,
+     .next = "bash lessons/run 4   (what a contact does that has pushed too hard)"});
+
+}  // namespace cairn

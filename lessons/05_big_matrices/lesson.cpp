@@ -1,0 +1,113 @@
+// Lesson 05. All bodies and all rows together. The rows are written below each other, which makes J (6); the
+// velocities likewise make v. The forces that make J v = ζ true (11) solve A λ = b, (14) and (15): one
+// equation for each contact. We build A and b for a stack of boxes, solve them by elimination, and put λ into
+// (12) to see that the stack stands still.
+#include "lesson.hpp"
+
+namespace cairn::big {
+
+StackSystem assemble(const VelocityProblem<double>& problem) {
+  const Eigen::Index rows = problem.row_count(), bodies = problem.body_count() - 1;  // without the ground
+  StackSystem system{.J = Eigen::MatrixXd::Zero(rows, 3 * bodies),
+                     .inverse_mass = Eigen::VectorXd(3 * bodies),
+                     .velocity = Eigen::VectorXd(3 * bodies),
+                     .zeta = Eigen::VectorXd(rows),
+                     .dt = problem.dt};
+  // [assemble]
+  for (int i = 0; i < rows; ++i) {
+    const ConstraintRow<double>& row = problem.rows[i];
+    if (row.a != ground) system.J.block<1, 3>(i, 3 * row.a.index - 3) = row.jacobian_a.transpose();  // (6)
+    system.J.block<1, 3>(i, 3 * row.b.index - 3) = row.jacobian_b.transpose();
+    system.zeta(i) = row.bias;
+  }
+  for (const BodyId body : problem.velocity.indices()) {
+    if (body == ground) continue;
+    const int column = 3 * body.index - 3;
+    system.velocity.segment<3>(column) = problem.velocity[body];          // (1)
+    system.inverse_mass.segment<3>(column) = problem.inverse_mass[body];  // (2)
+  }
+  system.A = system.J * system.inverse_mass.asDiagonal() * system.J.transpose();  // (15)
+  system.b = (system.zeta - system.J * system.velocity) / system.dt;
+  // [/assemble]
+  return system;
+}
+
+List<Eigen::MatrixXd> eliminate(const StackSystem& system) {
+  const Eigen::Index m = system.b.size();
+  Eigen::MatrixXd stage(m, m + 1);
+  stage << system.A, system.b;
+  List<Eigen::MatrixXd> stages = {stage};
+  // [eliminate]
+  for (Eigen::Index pivot = 0; pivot + 1 < m; ++pivot) {
+    for (Eigen::Index row = pivot + 1; row < m; ++row) {
+      const double factor = stage(row, pivot) / stage(pivot, pivot);
+      stage.row(row) -= factor * stage.row(pivot);
+      stage(row, pivot) = 0;
+    }
+    stages.push_back(stage);  // for the pictures
+  }
+  // [/eliminate]
+  return stages;
+}
+
+Eigen::VectorXd substitute_back(const Eigen::MatrixXd& stage) {
+  const Eigen::Index m = stage.rows();
+  Eigen::VectorXd lambda(m);
+  for (Eigen::Index i = m - 1; i >= 0; --i) {
+    double rest = stage(i, m);
+    for (Eigen::Index j = i + 1; j < m; ++j) rest -= stage(i, j) * lambda(j);
+    lambda(i) = rest / stage(i, i);
+  }
+  return lambda;
+}
+
+Eigen::VectorXd velocity_after(const StackSystem& system, const Eigen::VectorXd& lambda) {
+  const Eigen::VectorXd impulse = system.J.transpose() * lambda * system.dt;
+  return system.velocity + system.inverse_mass.cwiseProduct(impulse);  // (12)
+}
+
+}  // namespace cairn::big
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::big;
+
+StackRun solve_stack(const StackSettings& settings) {
+  StackRun run{.settings = settings};
+  const VelocityProblem<double> problem = stack_rows(settings, gravity);
+  run.system = assemble(problem);
+  run.stages = eliminate(run.system);
+  run.lambda = substitute_back(run.stages.back());
+  run.velocity = velocity_after(run.system, run.lambda);
+  solve_otherwise(problem, run);
+  return run;
+}
+
+void run(Lesson& lesson) {
+  const StackRun stack = solve_stack({.boxes = lesson.whole("boxes"),
+                                      .dt = lesson.real("dt"),
+                                      .top = lesson.real("top"),
+                                      .sunk = lesson.real("sunk")});
+  print_scene(lesson, stack);
+  lesson.predict();
+  lesson.print();
+  print_matrices(lesson, stack);
+  print_right_side(lesson, stack);
+  print_solution(lesson, stack);
+  print_growth(lesson, stack);
+  lesson.answer({stack.system.b.begin(), stack.system.b.end()}, 1e-9,
+                "Two boxes that fall together do not approach each other. b sees only the contact with the "
+                "ground; A⁻¹ carries the weight from contact to contact.");
+  check_matrices(lesson, stack);
+  check_solution(lesson, stack);
+  lesson.film(stack_shots(stack));
+  lesson.data(entries_table(stack));
+  List<double> answer(stack.lambda.begin(), stack.lambda.end());
+  answer.insert(answer.end(), stack.velocity.begin(), stack.velocity.end());
+  lesson.fingerprint(answer);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return cairn::run_lesson(card(), run, argc, argv); }

@@ -1,0 +1,185 @@
+// How the error goes, step by step and sweep by sweep, and impulses that come to the wrong row.
+#include "lesson.hpp"
+
+namespace cairn::warm {
+
+namespace {
+
+constexpr double smallest_error = 1e-6;  // of the chart
+
+/// |lambda_1 / W - 1| of every step, as long as `bound` stays above what the chart shows.
+Series error_series(const List<List<double>>& loads, double weight, double bound) {
+  Series series;
+  for (int k = 1; k < loads.size(); ++k) {
+    if (std::pow(bound, k) < smallest_error) break;
+    series.add(k, std::abs(loads[k][0] / weight - 1));
+  }
+  return series;
+}
+
+void draw_errors(Page& page, const WarmStart& all) {
+  const List<Rect> parts = in_columns(page, {0.62, 0.38});
+  const StartSettings& settings = all.settings;
+  const double share = share_left(settings.boxes, settings.sweeps);
+  Series cold = error_series(all.cold.loads, settings.weight(), share);
+  cold.style = start_styles(page.theme())[0];
+  Series warm = error_series(all.warm.loads, settings.weight(), std::sqrt(share));
+  warm.style = start_styles(page.theme())[1];
+  Series bound{.style = page.theme().exact, .markers = false};
+  for (const double k : warm.x) bound.add(k, std::pow(share, 0.5 * k));
+  Plot plot{.title = fmt::format("|λ_{{1}} / {:g} N − 1| after each step", settings.weight())};
+  plot.x = {.title = "step", .min = 0, .max = settings.steps};
+  plot.y = {.scale = AxisScale::logarithmic, .min = smallest_error, .max = 2};
+  plot.series = {cold, warm, bound};
+  const int middle = cold.x.size() / 2;
+  plot.labels = {{cold.x[middle], cold.y[middle], "cold: ρ^{s} per step"},
+                 {bound.x[middle], bound.y[middle], "warm: below ρ^{s/2} per step"}};
+  draw_plot(page, parts[0], plot);
+  page.note(parts[1], "The price of memory",
+            fmt::format("The {} sweeps of a step leave ρ^{{s}} = {:.3f} of what they find. Cold, the loads "
+                        "converge at that rate, but the missing force is left as a speed: the tower sinks. "
+                        "Warm, it is also missing from the first guess. So the error swings, and a step "
+                        "leaves ρ^{{s/2}} = {:.3f} of it.",
+                        settings.sweeps, share, std::sqrt(share)));
+}
+
+void draw_cold_sweeps(Page& page, const WarmStart& all) {
+  const List<Rect> parts = in_columns(page, {0.62, {0.38, {0.42, 0.58}}});
+  const Color color = page.theme().outline;
+  const FixedList<SeriesStyle, 4> styles = {{{color, {2, 5}, Marker::diamond},
+                                             {color, {10, 5, 2, 5}, Marker::triangle},
+                                             {color, {10, 6}, Marker::square},
+                                             {color, {}, Marker::circle}}};
+  Plot plot{.title = "what the lowest of n contacts lacks, in one step from zero"};
+  plot.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1, .max = 1500};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 0.005, .max = 1};
+  for (int s = 0; s < all.sweeps.size(); ++s) {
+    const ColdSweeps& cold = all.sweeps[s];
+    Series series = over_steps("", styles[s], cold.error);
+    const auto half = std::find_if(cold.error.begin(), cold.error.end(), [](double e) { return e < 0.3; });
+    plot.labels.push_back(
+        {static_cast<double>(half - cold.error.begin()), *half, fmt::format("n = {}", cold.boxes)});
+    plot.series.push_back(series);
+  }
+  plot.goals.push_back({wanted_error, "1 %"});
+  draw_plot(page, parts[0], plot);
+  TableView table{.header = {"boxes n", "sweeps to 1 %", "formula"}};
+  for (const ColdSweeps& cold : all.sweeps) {
+    table.rows.push_back({fmt::format("{}", cold.boxes), fmt::format("{}", cold.needed),
+                          fixed(needed_by_formula(cold.boxes), 1)});
+  }
+  page.table(parts[1], "", table);
+  page.card(parts[2], "",
+            "The error spreads like heat along a rod: twice the length takes four times the "
+            "time. So twice the height takes four times the sweeps.");
+}
+
+/// The tower with a first guess as bars, and the velocities that this guess gives to the boxes.
+void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const SeriesStyle& style,
+                const List<double>& guess, const List<double>& velocity) {
+  const bool is_right = velocity.back() < 0.01;
+  const Rect view = draw_solver_panel(page, rect, style, is_right ? "by key" : "by number", "");
+  const Camera camera =
+      draw_tower_loads(page, view, all.warm.frames.front(), guess,
+                       {.box_weight = gravity, .largest = 1.5 * all.settings.weight(), .color = style.color});
+  TextStyle text = aligned(page.value(), Align::right);
+  for (int i = 0; i < velocity.size(); ++i) {
+    const double y = camera.project({0, i + 0.5}).y();
+    const std::string moves = std::abs(velocity[i]) < 0.005 ? "0" : fixed(velocity[i], 1, Sign::always);
+    page.canvas().text({view.x + view.width, y + text.size / 3}, moves + " m/s", text);
+  }
+}
+
+/// Which row is which contact now, and what its number and its key find among the impulses that were kept.
+void draw_found(Page& page, const Rect& rect, const WarmStart& all) {
+  const int n = all.settings.boxes;
+  TableView table{.header = {"row", "contact", "by number", "by key"}};
+  for (int row = 1; row <= n; ++row) {
+    const int contact = n + 1 - row;
+    table.rows.push_back({fmt::format("{}", row), fmt::format("{}", contact),
+                          fixed(all.reversed.by_number[contact - 1], 0) + " N",
+                          fixed(all.reversed.by_key[contact - 1], 0) + " N"});
+  }
+  page.table(rect, "the rows of this step, and their first guess", table);
+}
+
+void draw_reversed(Page& page, const WarmStart& all) {
+  const List<Rect> parts = in_rows(page, {{0.74, {0.36, 0.32, 0.32}}, 0.26});
+  const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
+  const ReversedStep& step = all.reversed;
+  draw_found(page, parts[0], all);
+  draw_guess(page, parts[1], all, styles[2], step.by_number, step.velocity_by_number);
+  draw_guess(page, parts[2], all, styles[1], step.by_key, step.velocity_by_key);
+  double after = 0;
+  for (const double v : step.velocity_after) after = std::max(after, std::abs(v));
+  page.note(parts[3], "",
+            fmt::format("The last step found the contacts from the ground up, this one from the top "
+                        "down. By number, every contact gets the impulse of another one: the top box "
+                        "is thrown up at {:.1f} m/s before the first sweep, and {:.2f} m/s are left after "
+                        "the last. By key, nothing moves.",
+                        step.velocity_by_number.back(), after));
+}
+
+/// The step in which loads by number are most wrong, once the tower has come to rest.
+int worst_guest_step(const WarmStart& all) {
+  const List<List<double>>& loads = all.guest.by_number;
+  int worst = loads.size() / 2;
+  for (int k = worst; k < loads.size(); ++k) {
+    const double weight = all.settings.weight();
+    if (std::abs(loads[k][0] - weight) > std::abs(loads[worst][0] - weight)) worst = k;
+  }
+  return worst;
+}
+
+void draw_guest(Page& page, const WarmStart& all) {
+  const List<Rect> parts = in_columns(page, {0.36, {0.64, {0.68, 0.32}}});
+  const int step = worst_guest_step(all);
+  const Rect inside = page.panel(parts[0], "");
+  const Camera camera = fit(inside, {{-2.4, -0.6}, {1.2, all.settings.boxes + 0.4}});
+  draw_world(page, camera, all.guest.frames[step],
+             {.numbers = false, .contacts = false, .penetration = false});
+  Plot plot{.title = "load λ_{1} on the lowest box (N)"};
+  const int first = all.guest.by_key.size() / 4;  // once the first swings are over
+  plot.x = {.title = "step", .min = first, .max = all.settings.steps};
+  plot.series = {{.name = "by key", .style = start_styles(page.theme())[1]},
+                 {.name = "by number", .style = start_styles(page.theme())[2], .markers = false}};
+  Series touches{
+      .name = "ball touches", .style = {page.theme().external, {}, Marker::triangle}, .line = false};
+  for (int k = first; k < all.guest.by_key.size(); ++k) {
+    plot.series[0].add(k, all.guest.by_key[k][0]);
+    plot.series[1].add(k, all.guest.by_number[k][0]);
+    if (!all.guest.ball_touches[k]) continue;
+    touches.add(k, all.guest.by_number[k][0]);
+  }
+  plot.series.push_back(touches);
+  plot.cursor = step;
+  draw_plot(page, parts[1], plot);
+  page.note(parts[2], "",
+            "A ball bounces beside the tower and never touches it. While the ball touches the "
+            "ground, its contact is the first row, and all others shift by one. Matched by number, this "
+            "shakes the tower. Matched by key, not one bit of its loads changes.");
+}
+
+}  // namespace
+
+List<Shot> order_shots(const WarmStart& all) {
+  return {
+      key_shot(all, "error against steps",
+               "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
+               "swings below a line that falls half as steeply.",
+               draw_errors),
+      key_shot(all, "one step from zero",
+               "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
+               draw_cold_sweeps),
+      key_shot(all, "rows in another order",
+               "First guesses by number and by key when rows come from the top down: by number the lowest "
+               "contact "
+               "has the smallest guess, all boxes but one fall, and the top box is thrown up.",
+               draw_reversed),
+      key_shot(all, "a ball bounces beside it",
+               "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
+               "every bounce.",
+               draw_guest)};
+}
+
+}  // namespace cairn::warm
