@@ -1,4 +1,4 @@
-// What a block saves in each sweep, counted: velocity updates, inverses, and what contact and friction share.
+// What a block saves in each sweep, counted: velocity updates and inverses.
 #include "lesson.hpp"
 
 #include <Eigen/LU>
@@ -95,51 +95,6 @@ double time_ratio(const VelocityProblem<double>& problem) {
   return seconds_of(blocks, problem) / seconds_of(rows, problem);
 }
 
-/// j v of a normal and of its friction, from one velocity of the contact point, which both need.
-Vec2<double> from_one_velocity(const VelocityProblem<double>& problem, const ConstraintRow<double>& normal,
-                               const ConstraintRow<double>& friction) {
-  const auto cross = [](const Vec2<double>& a, const Vec2<double>& b) {
-    return a.x() * b.y() - a.y() * b.x();
-  };
-  const auto part = [&](BodyId body, const Vec3<double>& j_n, const Vec3<double>& j_t) {
-    const Vec2<double> n = j_n.head<2>(), t = j_t.head<2>();
-    const Vec2<double> arm = (n * j_t.z() - t * j_n.z()) / cross(n, t);  // j = (n, arm x n)
-    const Vec3<double>& v = problem.velocity[body];
-    const Vec2<double> point = {v.x() - v.z() * arm.y(), v.y() + v.z() * arm.x()};  // 2 multiply-adds
-    return Vec2<double>(n.dot(point), t.dot(point));
-  };
-  return part(normal.a, normal.jacobian_a, friction.jacobian_a) +
-         part(normal.b, normal.jacobian_b, friction.jacobian_b);
-}
-
-/// Two boxes that slide and turn, one on the other.
-double friction_gap() {
-  Scene scene(
-      {.gravity = {0, -gravity}, .dt = 0.02, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
-  scene.add_ground();
-  scene.add({.shapes = {box(1, 1)},
-             .position = {0, 0.5},
-             .velocity = {1, -2},
-             .mass = 2,
-             .material = {.friction = 0.5}});
-  scene.add({.shapes = {box(1, 1)},
-             .position = {0.2, 1.5},
-             .velocity = {-3, -1},
-             .mass = 0.5,
-             .material = {.friction = 0.5}});
-  VelocityProblem<double> problem = World<double>(scene).velocity_problem();
-  problem.velocity[{problem.body_count() - 1}].z() = 3;
-  double gap = 0;
-  for (const ConstraintRow<double>& row : problem.rows) {
-    if (row.bounds.normal_row < 0) continue;
-    const ConstraintRow<double>& normal = problem.rows[row.bounds.normal_row];
-    const Vec2<double> shared = from_one_velocity(problem, normal, row);
-    gap = std::max({gap, std::abs(shared.x() - row_velocity(problem, normal)),
-                    std::abs(shared.y() - row_velocity(problem, row))});
-  }
-  return gap;
-}
-
 }  // namespace
 
 Savings count_savings(const BlocksRuns& all) {
@@ -155,7 +110,8 @@ Savings count_savings(const BlocksRuns& all) {
           .inverses_again = again.inverses,
           .change = largest_gap(blocks.impulse, again.impulse),
           .library_gap = largest_gap(blocks.impulse, library.impulse),
-          .time_ratio = time_ratio(all.chains[welded_ten].problem)};
+          .time_ratio = time_ratio(all.chains[welded_ten].problem),
+          .shared = count_shared()};
 }
 
 void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings) {
@@ -164,8 +120,7 @@ void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings
   lesson.print(
       fmt::format("  velocity updates: rows {}, blocks {}; 3 × 3 inverses: {} once a step, {} in each sweep",
                   savings.row_updates, savings.block_updates, savings.inverses_once, savings.inverses_again));
-  lesson.print(
-      "  j·v of a normal and its friction: 12 multiply-adds row by row, 8 from one velocity of the point");
+  print_shared(lesson, savings.shared);
   lesson.print(
       fmt::format("  and yet a sweep over ten welds takes {:.2f} times as long as blocks, on this machine",
                   savings.time_ratio));
@@ -185,9 +140,7 @@ void check_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings
       0);
   lesson.check_small("inverted once a step, not in each sweep: change of the impulses (N s)", savings.change,
                      0);
-  // A dozen products of numbers below 4.
-  lesson.check_small("normal and friction from one velocity of the point: change of j·v (m/s)",
-                     friction_gap(), 32 * rounding * 4);
+  check_shared(lesson, savings.shared);
 }
 
 }  // namespace cairn::blocks

@@ -72,14 +72,9 @@ List<Wrong> wrong_impulses() {
           {solved({2.5 + 6.5 / 4, -6.5 / 2, 2.5 + 6.5}, jv), "Each body has its own arm."}};
 }
 
-/// Whether the pin gives what it has to.
-bool grade_two_bodies(Grade& grade) {
-  Scene scene = two_bodies();
-  visit(scene.pin, scene.one, scene.two);
-  const Pair given = {scene.pin.px, scene.pin.py};
-  const Pair left = row_velocities(scene.pin, scene.one, scene.two);
-  const bool moved = scene.two.vx != -5.625 || scene.two.vy != 11.25, holds = is_near(left, {0, 0});
-  // One mistake that explains both impulses, or else whatever explains one of them.
+/// Both impulses of a visit. One mistake explains both, or else whatever explains one of them. `moved`: the
+/// bodies have been pushed, and `holds`: as they should.
+void grade_impulses(Grade& grade, const Pair& given, bool moved, bool holds) {
   List<Wrong> known = wrong_impulses();
   for (const Wrong& wrong : wrong_impulses()) {
     if (is_near(given, wrong.impulse)) known = {wrong};
@@ -94,7 +89,10 @@ bool grade_two_bodies(Grade& grade) {
     for (const Wrong& wrong : known) expected.misconceptions.push_back({wrong.impulse[i], wrong.what});
     grade.number(expected, given[i]);
   }
-  const bool is_given = is_near(given, {1, -2});
+}
+
+/// What is left after one visit, of the second visit, and after it.
+void grade_what_is_left(Grade& grade, Scene& scene, bool moved, bool is_given) {
   const char* const opposite = "Body 2 gets (x, y), and body 1 the opposite: push(pin, one, two, x, y).";
   grade.number(
       {.what = "what is left of j·v along y (m/s)",
@@ -104,7 +102,7 @@ bool grade_two_bodies(Grade& grade) {
                           {7.25, is_given ? opposite : ""},
                           {4, is_given ? opposite : ""}},
        .tolerance = block_rounding},
-      left[1]);
+      row_velocities(scene.pin, scene.one, scene.two)[1]);
   visit(scene.pin, scene.one, scene.two);
   grade.number({.what = "what is left of it after a second visit (m/s)",
                 .value = 0,
@@ -116,6 +114,17 @@ bool grade_two_bodies(Grade& grade) {
                 .misconceptions = {{0, is_given ? "Add to what the pin has given before." : ""}},
                 .tolerance = block_rounding},
                scene.pin.px);
+}
+
+/// Whether the pin gives what it has to.
+bool grade_two_bodies(Grade& grade) {
+  Scene scene = two_bodies();
+  visit(scene.pin, scene.one, scene.two);
+  const Pair given = {scene.pin.px, scene.pin.py};
+  const bool moved = scene.two.vx != -5.625 || scene.two.vy != 11.25;
+  grade_impulses(grade, given, moved, is_near(row_velocities(scene.pin, scene.one, scene.two), {0, 0}));
+  const bool is_given = is_near(given, {1, -2});
+  grade_what_is_left(grade, scene, moved, is_given);
   return is_given;
 }
 

@@ -50,7 +50,6 @@ RodRun run_rod(const BlocksSettings& settings) {
   const World<double> world(rod_scene(settings));
   const VelocityProblem<double> problem = world.velocity_problem();
   RodRun run{.start = snapshot(world), .system = system_matrices(problem)};
-  // [solvers]
   VelocityProblem<double> by_rows = problem;
   SweepRecorder<double> rows(SweepRecorder<double>::Detail::rows);
   SequentialImpulse<double>({.iterations = 6}).solve(by_rows, &rows);
@@ -58,7 +57,6 @@ RodRun run_rod(const BlocksSettings& settings) {
   VelocityProblem<double> by_block = problem;
   SweepRecorder<double> block;
   BlockSequentialImpulse<double>({.iterations = 6}).solve(by_block, &block);
-  // [/solvers]
   record_rows(rows, problem, run);
   run.by_block = pairs_of(block, settings.dt);
   add_formulas(settings, run);

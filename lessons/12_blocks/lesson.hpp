@@ -125,6 +125,14 @@ void print_scene(Lesson& lesson, const BlocksSettings& settings);
 void print_runs(Lesson& lesson, const BlocksRuns& all);
 void check_runs(Lesson& lesson, const BlocksRuns& all);
 
+/// Products that j·v takes, row by row and where the rows share the velocity of their point.
+struct SharedWork {
+  int weld_rows = 0, weld_block = 0;
+  int contact_rows = 0, contact_shared = 0;  // a normal and its friction, in the plane
+  int space_rows = 0, space_shared = 0;      // a normal and two friction rows, in space
+  double gap = 0;                            // [m/s] between the two ways
+};
+
 /// What a block saves in ten sweeps over three welds.
 struct Savings {
   int row_updates = 0;  // of the velocities of two bodies
@@ -134,7 +142,12 @@ struct Savings {
   double change = 0;       // [N s] of the impulses, inverted once or in each sweep
   double library_gap = 0;  // [N s] of the impulses, against the library's blocks
   double time_ratio = 0;   // of a sweep over ten welds as blocks, to one row by row; on this machine
+  SharedWork shared = {};
 };
+
+SharedWork count_shared();
+void print_shared(Lesson& lesson, const SharedWork& work);
+void check_shared(Lesson& lesson, const SharedWork& work);
 
 Savings count_savings(const BlocksRuns& all);
 void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings);

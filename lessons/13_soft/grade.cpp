@@ -33,31 +33,12 @@ Visit with_softness(double gamma, double beta) {
   return {.gamma = gamma, .beta = beta, .zeta = -beta * spring_before.error / dt};
 }
 
-/// What a visit with a mistake makes of the impulse, and the words for it.
-std::vector<Misconception> known_impulses(const Visit& right) {
-  const double before = spring_before.impulse, inverse = right.inverse, gamma = right.gamma;
+/// What a visit with a mistake in γ or β makes of the impulse, and the words for it.
+std::vector<Misconception> wrong_softness(const Visit& right) {
+  const double before = spring_before.impulse, gamma = right.gamma;
   const double stiff = spring_before.damping + spring_before.stiffness;  // in different units
   const char* const mixed = "d + Δt k: a stiffness is a damping when it is multiplied by Δt.";
-  const double lacking = right.zeta - right.speed - gamma * before;
   return {
-      {before, "Nothing was added to the impulse."},
-      {right.added(), "The impulse is a sum over all visits: add to it."},
-      {before + Visit{.given = 0}.added(),
-       "The row is content with γ less for all that it has given before."},
-      {before + Visit{.given = -before}.added(), "γ times the impulse stands beside j·v: it is subtracted."},
-      {before + (right.zeta - right.speed - before) / (inverse + gamma),
-       "γ times the impulse, not the impulse."},
-      {before + lacking / inverse, "γ stands beside the inverse masses, too."},
-      {before + lacking / gamma, "The inverse masses stand beside γ: both bodies give way."},
-      {before + lacking / (above_before.inverse_mass + gamma), "j M⁻¹ jᵀ has a term of the body below."},
-      {before + lacking / (below_before.inverse_mass + gamma), "j M⁻¹ jᵀ has a term of the body above."},
-      {before + lacking / ((inverse + gamma) * dt), "That is a force: an impulse has no Δt in (22)."},
-      {before + Visit{.zeta = -right.zeta}.added(), "ζ = −β c / Δt: a spring that is pressed pushes."},
-      {before + Visit{.zeta = right.zeta * dt}.added(), "ζ is a velocity: β c / Δt."},
-      {before + Visit{.zeta = 0}.added(), "Where is ζ = −β c / Δt?"},
-      {before + Visit{.speed = -right.speed}.added(), "j·v is the speed of the one above less that below."},
-      {before + Visit{.speed = 0}.added(), "Where is j·v?"},
-      {before - right.added(), "The sign of what is added: ζ − j·v is what is lacking."},
       {before + with_softness(1 / right.resisting, right.beta).added(),
        "γ = 1 / (Δt (d + Δt k)): a Δt is lacking."},
       {before + with_softness(dt * right.resisting, right.beta).added(),
@@ -77,6 +58,34 @@ std::vector<Misconception> known_impulses(const Visit& right) {
       {before + with_softness(gamma, right.beta / dt).added(),
        "β = Δt k / (d + Δt k) is a share, without a unit."},
       {before + with_softness(right.beta, gamma).added(), "γ and β have changed places."}};
+}
+
+/// The same with any mistake.
+std::vector<Misconception> known_impulses(const Visit& right) {
+  const double before = spring_before.impulse, inverse = right.inverse, gamma = right.gamma;
+  const double lacking = right.zeta - right.speed - gamma * before;
+  std::vector<Misconception> known = {
+      {before, "Nothing was added to the impulse."},
+      {right.added(), "The impulse is a sum over all visits: add to it."},
+      {before + Visit{.given = 0}.added(),
+       "The row is content with γ less for all that it has given before."},
+      {before + Visit{.given = -before}.added(), "γ times the impulse stands beside j·v: it is subtracted."},
+      {before + (right.zeta - right.speed - before) / (inverse + gamma),
+       "γ times the impulse, not the impulse."},
+      {before + lacking / inverse, "γ stands beside the inverse masses, too."},
+      {before + lacking / gamma, "The inverse masses stand beside γ: both bodies give way."},
+      {before + lacking / (above_before.inverse_mass + gamma), "j M⁻¹ jᵀ has a term of the body below."},
+      {before + lacking / (below_before.inverse_mass + gamma), "j M⁻¹ jᵀ has a term of the body above."},
+      {before + lacking / ((inverse + gamma) * dt), "That is a force: an impulse has no Δt in (22)."},
+      {before + Visit{.zeta = -right.zeta}.added(), "ζ = −β c / Δt: a spring that is pressed pushes."},
+      {before + Visit{.zeta = right.zeta * dt}.added(), "ζ is a velocity: β c / Δt."},
+      {before + Visit{.zeta = 0}.added(), "Where is ζ = −β c / Δt?"},
+      {before + Visit{.speed = -right.speed}.added(), "j·v is the speed of the one above less that below."},
+      {before + Visit{.speed = 0}.added(), "Where is j·v?"},
+      {before - right.added(), "The sign of what is added: ζ − j·v is what is lacking."}};
+  const std::vector<Misconception> softness = wrong_softness(right);
+  known.insert(known.end(), softness.begin(), softness.end());
+  return known;
 }
 
 /// Whether the visit adds anything.

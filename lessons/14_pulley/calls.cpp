@@ -11,7 +11,7 @@ namespace cairn::pulley {
 
 namespace {
 
-constexpr int tower_boxes = 20, counted_sweeps = 10, timed_sweeps = 200;
+constexpr int counted_sweeps = 10, timed_sweeps = 200;
 
 void update_rows(VelocityProblem<double>& problem, const RowBlock& block) {
   for (int i = block.first; i < block.first + block.count; ++i) {
@@ -61,6 +61,8 @@ CountedSweeps sweep_counting(VelocityProblem<double> problem, int first_plain) {
   return counted;
 }
 
+}  // namespace
+
 VelocityProblem<double> rope_and_tower(const PulleySettings& settings) {
   Scene scene = pulley_scene(settings);
   scene.add_ground();
@@ -68,8 +70,6 @@ VelocityProblem<double> rope_and_tower(const PulleySettings& settings) {
     scene.add({.shapes = {box(1, 1)}, .position = {20, i + 0.5}, .mass = 2, .material = {.friction = 0.5}});
   return World<double>(scene).velocity_problem();
 }
-
-}  // namespace
 
 CountedCalls count_calls(const PulleySettings& settings) {
   const VelocityProblem<double> problem = rope_and_tower(settings);

@@ -82,6 +82,8 @@ void run(Lesson& lesson) {
   CountedCalls calls = count_calls(settings);
   time_calls(calls);
   print_calls(lesson, calls);
+  const ObjectSweeps objects = sweep_objects(settings);
+  print_objects(lesson, objects);
   const double tension = tension_by_hand(settings);
   lesson.answer(
       {tension}, 0.05 * tension,
@@ -90,6 +92,7 @@ void run(Lesson& lesson) {
           what_goes_down(settings) + ".");
   check_runs(lesson, all);
   check_calls(lesson, calls);
+  check_objects(lesson, objects);
   lesson.film(pulley_shots(all));
   lesson.data(steps_table(all));
   lesson.fingerprint(all.runs[0].steps.back().snapshot);

@@ -77,11 +77,28 @@ struct CountedCalls {
   List<CallTimes> times = {};  // in the order of the scene, and by colours
 };
 
+/// The first step of the rope and a tower that stands beside it.
+VelocityProblem<double> rope_and_tower(const PulleySettings& settings);
+inline constexpr int tower_boxes = 20;
+
 CountedCalls count_calls(const PulleySettings& settings);
 /// Adds the times, which differ from machine to machine.
 void time_calls(CountedCalls& counted);
 void print_calls(Lesson& lesson, const CountedCalls& counted);
 void check_calls(Lesson& lesson, const CountedCalls& counted);
+
+/// Sweeps over the same rope and tower by objects, a class for each kind of constraint.
+struct ObjectSweeps {
+  double si_gap = 0;   // [N s] to the impulses of a solver that knows rows alone
+  double pgs_gap = 0;  // [N s] likewise
+  double largest = 0;  // [N s] of the impulses
+  int pgs_others = 0;  // numbers of rows that objects keep, and are not their own
+};
+
+ObjectSweeps sweep_objects(const PulleySettings& settings);
+void print_objects(Lesson& lesson, const ObjectSweeps& swept);
+void check_objects(Lesson& lesson, const ObjectSweeps& swept);
+
 CsvTable steps_table(const PulleyRuns& all);
 
 /// The row and its numbers, then every step of the fall.

@@ -6,7 +6,7 @@ namespace cairn {
 const LessonCard lesson16(
     {.number = 16,
      .name = "jacobi",
-     .title = "Everybody at once",
+     .title = "Nobody waits",
      .idea =
          "If no row waits for another, all of them can be computed at the same time, and their order means "
          "nothing. But rows that share a body do not know of each other.",

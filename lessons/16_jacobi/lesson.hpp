@@ -146,6 +146,21 @@ int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int
 /// For how long every row has to wait in one sweep, if each has a processor of its own.
 int waits_per_sweep(const PileRun& run, const PileHistory& history);
 
+/// Ten sweeps over a pyramid, colour by colour.
+struct ThreadedSweeps {
+  int rows = 0;
+  int colours = 0;    // after each of which threads wait for each other
+  double one = 0;     // [ns] of a row update on one thread
+  double two = 0;     // [ns] on two
+  double lanes = 0;   // [ns] in the lanes of one, which take 16 blocks at a time
+  double change = 0;  // [N s] of the impulses between one thread and two
+};
+
+/// A small pyramid and a large one.
+List<ThreadedSweeps> run_threads();
+void print_threads(Lesson& lesson, const List<ThreadedSweeps>& all);
+void check_threads(Lesson& lesson, const List<ThreadedSweeps>& all);
+
 // What is printed, checked and drawn.
 
 /// Prints both scenes and the answer, and checks every claim.

@@ -196,6 +196,8 @@ void report(Lesson& lesson, const FeetRun& feet, const PileRun& pile) {
   lesson.print();
   print_feet(lesson, feet);
   print_pile(lesson, pile);
+  const List<ThreadedSweeps> threaded = run_threads();
+  print_threads(lesson, threaded);
   lesson.answer({box_mass * gravity * feet.answer}, 0.5,
                 "Every foot sees the whole fall and stops it alone, so the box is thrown up. Above twice the "
                 "weight, the next sweep lets go altogether, and it begins again.");
@@ -204,6 +206,7 @@ void report(Lesson& lesson, const FeetRun& feet, const PileRun& pile) {
   check_pile(lesson, pile);
   check_colours(lesson, pile);
   check_order(lesson, pile);
+  check_threads(lesson, threaded);
 }
 
 }  // namespace cairn::everybody

@@ -70,11 +70,12 @@ List<Shot> tower_shots(const TowerRuns& runs);
 
 /// What a stack that falls over has turned, and how far apart three solvers leave it.
 struct TurningRun {
+  std::string name = {};
   double turned = 0;  // [rad] the most of any box
   double apart = 0;   // [m, rad] the largest difference of a place or an angle
 };
-TurningRun run_turning();
-void print_turning(Lesson& lesson, const TurningRun& run);
-void check_turning(Lesson& lesson, const TurningRun& run);
+List<TurningRun> run_turning();
+void print_turning(Lesson& lesson, const List<TurningRun>& runs);
+void check_turning(Lesson& lesson, const List<TurningRun>& runs);
 
 }  // namespace cairn::tower

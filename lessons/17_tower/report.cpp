@@ -92,7 +92,7 @@ void report(Lesson& lesson, const TowerRuns& runs) {
                   "from the ground up, {:.2f} N. Box {} carries {:.2f} N; from the ground up, {:.2f} N.",
                   gap_of_orders(runs), runs.from_top[1].loads[1][0], runs.warm[1].loads[1][0], middle + 1,
                   runs.from_top[1].loads[1][middle], runs.warm[1].loads[1][middle]));
-  const TurningRun turning = run_turning();
+  const List<TurningRun> turning = run_turning();
   print_turning(lesson, turning);
   lesson.answer({3}, 0,
                 "The order. In the same order, Box2D is the same algorithm again, in single precision.");

@@ -154,6 +154,7 @@ void look_closer(CostRun& run) {
   watch<float>(single, boxes, 0, run.single);
   run.frames = {.warm = follow_frames(run.settings, true), .cold = follow_frames(run.settings, false)};
   run.times = measure_times();
+  measure_storage(run);
   run.non_zeros = coupled_pairs(tower_problem(boxes));
   Scene scene;
   scene.add_ground();
@@ -185,24 +186,6 @@ double least_nanoseconds(const std::function<void()>& work) {
   return 1e9 * least;
 }
 
-/// What is left of SI where all is known beforehand: which bodies, which direction, which masses. One line
-/// for this kind of row, and nothing to look up.
-double tower_only(int boxes, int sweeps) {
-  List<double> v(boxes + 1, -gravity * time_step);
-  List<double> impulse(boxes + 1, 0.0);
-  v[0] = 0;
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (int i = 1; i <= boxes; ++i) {
-      const double sum = std::max(0.0, impulse[i] + (v[i - 1] - v[i]) * (i == 1 ? 1.0 : 0.5));
-      const double change = sum - impulse[i];
-      impulse[i] = sum;
-      v[i] += change;
-      if (i > 1) v[i - 1] -= change;
-    }
-  }
-  return impulse[1];
-}
-
 template <typename Real>
 SolverTime time_of(const std::string& name, Solver<Real>& solver) {
   SolverTime time{.name = name};
@@ -223,7 +206,7 @@ SolverTime time_of_tower_only() {
   SolverTime time{.name = "this tower only"};
   double kept = 0;  // or the compiler would leave everything out
   for (const int rows : timed_rows) {
-    const double nanoseconds = least_nanoseconds([&] { kept += tower_only(rows, timed_sweeps); });
+    const double nanoseconds = least_nanoseconds([&] { kept += tower_only(rows, timed_sweeps)[0]; });
     time.nanoseconds.push_back(nanoseconds / (rows * timed_sweeps));
   }
   if (!(kept > 0)) time.nanoseconds.clear();
@@ -231,6 +214,23 @@ SolverTime time_of_tower_only() {
 }
 
 }  // namespace
+
+List<double> tower_only(int boxes, int sweeps) {
+  List<double> v(boxes + 1, -gravity * time_step);
+  List<double> impulse(boxes + 1, 0.0);
+  v[0] = 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int i = 1; i <= boxes; ++i) {
+      const double sum = std::max(0.0, impulse[i] + (v[i - 1] - v[i]) * (i == 1 ? 1.0 : 0.5));
+      const double change = sum - impulse[i];
+      impulse[i] = sum;
+      v[i] += change;
+      if (i > 1) v[i - 1] -= change;
+    }
+  }
+  impulse.erase(impulse.begin());
+  return impulse;
+}
 
 List<SolverTime> measure_times() {
   const SolverSettings settings{.iterations = timed_sweeps};

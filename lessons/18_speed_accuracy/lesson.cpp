@@ -94,7 +94,6 @@ List<Curve> watch_four(int boxes, double omega) {
                          .work = 4.0 * boxes - 2,
                          .rate = sor_rate(boxes, omega)},
                         {.name = "PGS with momentum", .work = 6.0 * boxes - 4}};
-  // [four]
   SequentialImpulse<double> si({.iterations = enough_sweeps(curves[si_curve].rate)});
   Jacobi<double> jacobi({.iterations = enough_sweeps(curves[jacobi_curve].rate), .relaxation = 0.5});
   SequentialImpulse<double> sor(
@@ -104,7 +103,6 @@ List<Curve> watch_four(int boxes, double omega) {
   watch<double>(jacobi, boxes, least_error, curves[jacobi_curve]);
   watch<double>(sor, boxes, least_error, curves[sor_curve]);
   watch<double>(accelerated, boxes, least_error, curves[accelerated_curve]);
-  // [/four]
   curves[si_curve].by_hand = errors_by_hand(boxes, 1, kept_sweeps);
   curves[sor_curve].by_hand = errors_by_hand(boxes, omega, kept_sweeps);
   curves[accelerated_curve].by_hand = errors_with_momentum(boxes, kept_sweeps);

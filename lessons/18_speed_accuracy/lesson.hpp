@@ -54,6 +54,21 @@ struct SolverTime {
   List<double> nanoseconds = {};  // of one row update, with its share of all preparation
 };
 
+/// What a solver takes before its first sweep.
+struct SetUp {
+  std::string name = {};
+  double sweeps = 0;  // that take as long
+};
+
+/// Rows in memory, visited in the order of the tower.
+struct Stored {
+  int rows = 0;
+  double bytes = 0;     // of all rows
+  double in_order = 0;  // [ns] of a row update, where they are stored in that order
+  double shuffled = 0;  // [ns] where they lie anywhere
+  double change = 0;    // [N s] of the impulses between the two
+};
+
 struct CostRun {
   CostSettings settings = {};
   double omega = 1;       // of SOR
@@ -64,6 +79,8 @@ struct CostRun {
   List<SizeCost> sizes = {};
   WarmRun frames = {};
   List<SolverTime> times = {};   // of this machine
+  List<SetUp> set_ups = {};      // likewise
+  List<Stored> stored = {};      // likewise: rows that fit into a cache, and rows that do not
   std::ptrdiff_t non_zeros = 0;  // of A
   Snapshot tower = {};
 };
@@ -104,6 +121,13 @@ double error_energy(const List<double>& lambda);
 /// In the order of measure_times(), as far as pictures need it.
 enum : int { si_time, jacobi_time, accelerated_time, sparse_time, dense_time, naive_time };
 List<SolverTime> measure_times();
+/// What is left of SI where all is known beforehand: which bodies, which direction, which masses. One line
+/// for this kind of row, and nothing to look up. The impulses after so many sweeps [N s].
+List<double> tower_only(int boxes, int sweeps);
+
+void measure_storage(CostRun& run);
+void print_storage(Lesson& lesson, const CostRun& run);
+void check_storage(Lesson& lesson, const CostRun& run);
 
 VelocityProblem<double> tower_problem(int boxes);
 

@@ -169,6 +169,7 @@ void report(Lesson& lesson, const CostRun& run) {
   print_errors(lesson, run);
   print_digits(lesson, run);
   print_others(lesson, run);
+  print_storage(lesson, run);
   const double right = sweeps_to(run.curves[si_curve].error, 1e-9);
   lesson.answer(
       {right}, 0.05 * right + 1,
@@ -177,6 +178,7 @@ void report(Lesson& lesson, const CostRun& run) {
   check_rates(lesson, run);
   check_curves(lesson, run);
   check_costs(lesson, run);
+  check_storage(lesson, run);
 }
 
 CsvTable errors_table(const CostRun& run) {

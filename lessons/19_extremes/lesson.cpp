@@ -41,7 +41,6 @@ RatioRun push_two(double ratio, int at_least) {
 /// A world driven to its edge: how far off it is, and its energy out of nowhere, after each step.
 EdgeCase drive(const SmallWorld& small, const WallSettings& settings) {
   EdgeCase edge = small.edge;
-  // [drive]
   World world(small.scene);
   SequentialImpulse<double> solver({.iterations = settings.sweeps});
   const double start = total_energy(snapshot(world));
@@ -51,7 +50,6 @@ EdgeCase drive(const SmallWorld& small, const WallSettings& settings) {
     edge.off_by_step.push_back(small.off(now));
     edge.energy_by_step.push_back((total_energy(now) - start) / small.budget);
   }
-  // [/drive]
   return edge;
 }
 

@@ -83,7 +83,6 @@ Group group_of(const NeedsSettings& settings, BodyId body) {
 BodyId ball_of(const NeedsSettings&) { return {pyramid_boxes + 1}; }
 
 Scene scene_of(const NeedsSettings& settings, const Switches& switches, const List<Thing>& things) {
-  // [switches]
   SceneSettings rules{.gravity = {0, -10},
                       .dt = time_step,
                       .stabilization = {.policy = StabilizationPolicy::baumgarte},
@@ -91,7 +90,6 @@ Scene scene_of(const NeedsSettings& settings, const Switches& switches, const Li
   if (switches.sleeps) rules.sleeping = Sleeping{};
   Scene scene(rules);
   scene.add_ground({.material = {.friction = switches.friction}});
-  // [/switches]
   for (const Thing thing : things) {
     if (thing == Thing::pyramid_and_ball) add_pyramid(scene, switches.friction);
     if (thing == Thing::tower) add_tower(scene, settings.tower, switches.friction);

@@ -33,13 +33,11 @@ StepReport timed_step(Stage& stage, double& seconds) {
 /// One step of the whole scene, or of its islands one by one, and what it has cost.
 StepBill step(List<Stage>& stages, double& seconds) {
   StepBill bill;
-  // [bill]
   for (Stage& stage : stages) {
     const StepReport report = timed_step(stage, seconds);
     bill.updates += static_cast<long long>(report.rows) * report.sweeps;  // 0 where all of it sleeps or flies
     note(bill, stage, report);
   }
-  // [/bill]
   return bill;
 }
 

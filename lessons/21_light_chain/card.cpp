@@ -29,6 +29,6 @@ const LessonCard lesson21(
                     {"load", 50, 0.1, 1e5, "kg", "mass at the lower end, in the pictures"},
                     {"dt", 0.02, 0.005, 0.05, "s", "time step"}},
      .cover = 1,
-     .next = ""});
+     .next = "bash lessons/run 22   (what you get if you ask for nothing)"});
 
 }  // namespace cairn

@@ -45,20 +45,14 @@ static std::string physics_of(const Row& row, const RodParts& is) {
   return "Momentum is kept, angular momentum is not: look at " + body + ".";
 }
 
-static void grade_rod(cairn::Grade& grade) {
-  const std::vector<Body> bodies = turned_boxes();
-  const Body &one = bodies[1], &two = bodies[2];
-  const double length = 3;
+static const char *const rod_unturned1 = "The point of body 1 is not turned by the angle of body 1.",
+                         *const rod_unturned2 = "The point of body 2 is not turned by the angle of body 2.";
+
+static void grade_rod_error(cairn::Grade& grade, const Row& row, const Body& one, const Body& two,
+                            double length) {
   const double a = one.position[2], b = two.position[2];
   const RodParts rod_is = rod_parts(one, a, two, b), first_flat = rod_parts(one, 0, two, b),
                  second_flat = rod_parts(one, a, two, 0), flat = rod_parts(one, 0, two, 0);
-  const char *const unturned1 = "The point of body 1 is not turned by the angle of body 1.",
-                    *const unturned2 = "The point of body 2 is not turned by the angle of body 2.";
-  const double ux = rod_is.ux, uy = rod_is.uy;
-  const double turn1 = rod_is.r1x * uy - rod_is.r1y * ux, turn2 = rod_is.r2x * uy - rod_is.r2y * ux;
-  const double from_origin = turn2 + two.position[0] * uy - two.position[1] * ux;
-  const Row row = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, length);
-
   grade.number(
       {"a rod between two turned boxes: c (m)",
        rod_is.distance - length,
@@ -68,19 +62,22 @@ static void grade_rod(cairn::Grade& grade) {
         {rod_is.distance * rod_is.distance - length * length,
          "Those are m²: c is |p2 − p1| − length, without squares."},
         {flat.distance - length, "The points are fixed in their bodies: turn them by the body's angle."},
-        {first_flat.distance - length, unturned1},
-        {second_flat.distance - length, unturned2},
+        {first_flat.distance - length, rod_unturned1},
+        {second_flat.distance - length, rod_unturned2},
         {rod_parts(one, a, two, a).distance - length, "Point 2 is turned by the angle of body 1."},
         {rod_parts(one, b, two, b).distance - length, "Point 1 is turned by the angle of body 2."},
         {0, "c of the row is not set."},
         {rod_parts(one, -a, two, -b).distance - length, "Turned the other way: (c x − s y, s x + c y)."},
         {rod_is.distance, "c is what is left when the length is taken away."}}},
       row.c);
+}
+
+static void grade_rod_ends(cairn::Grade& grade, const Row& row, const RodParts& rod_is) {
+  const double ux = rod_is.ux;
   grade.number(
       {"the rod: body1", 1, {{2, "The bodies are swapped."}, {0, "body1 and body2 of the row are not set."}}},
       row.body1);
   grade.number({"the rod: body2", 2, {{1, ""}, {0, "body2 of the row is not set."}}}, row.body2);
-  const bool backwards = std::abs(row.j2[0] + ux) < 1e-9;  // u leads the other way
   grade.number({"the rod: j2[0]",
                 ux,
                 {{-ux, "The sign: c grows when body 2 moves along u, from point 1 to point 2."},
@@ -91,12 +88,19 @@ static void grade_rod(cairn::Grade& grade) {
                 {{ux, "The sign: c shrinks when body 1 moves along u. j1 has −u."},
                  {-rod_is.dx, "u is a unit vector: divide by the distance."}}},
                row.j1[0]);
+}
+
+static void grade_rod_turns(cairn::Grade& grade, const Row& row, const Body& two, const RodParts& rod_is) {
+  const double ux = rod_is.ux, uy = rod_is.uy;
+  const double turn1 = rod_is.r1x * uy - rod_is.r1y * ux, turn2 = rod_is.r2x * uy - rod_is.r2y * ux;
+  const double from_origin = turn2 + two.position[0] * uy - two.position[1] * ux;
+  const bool backwards = std::abs(row.j2[0] + ux) < 1e-9;  // u leads the other way
   grade.number({"the rod: j2[2] (m)",
                 turn2,
                 {{-turn2, backwards ? "" : "r × u is r_x u_y − r_y u_x: the order is reversed."},
                  {turn1, "j2 needs the arm of body 2."},
                  {rod_is.r2x * ux + rod_is.r2y * uy, "That is r·u. A turn comes in by r × u."},
-                 {-0.5 * uy + ux, unturned2},
+                 {-0.5 * uy + ux, rod_unturned2},
                  {from_origin, "The arm r begins at the body's centre, not at the origin."},
                  {0, "A turn about the centre moves the point, too: r × u."}}},
                row.j2[2]);
@@ -106,9 +110,19 @@ static void grade_rod(cairn::Grade& grade) {
        {{turn1,
          row.j1[0] > 0 || row.j2[2] * turn2 < 0 ? "" : "The sign: all of j1 has a minus, its turn as well."},
         {-turn2, "j1 needs the arm of body 1."},
-        {-(0.5 * uy - 0.25 * ux), unturned1},
+        {-(0.5 * uy - 0.25 * ux), rod_unturned1},
         {0, "A turn about the centre moves the point, too: r × u."}}},
       row.j1[2]);
+}
+
+static void grade_rod(cairn::Grade& grade) {
+  const std::vector<Body> bodies = turned_boxes();
+  const Body &one = bodies[1], &two = bodies[2];
+  const RodParts rod_is = rod_parts(one, one.position[2], two, two.position[2]);
+  const Row row = rod(bodies, 1, {0.5, 0.25}, 2, {-0.5, -1}, 3);
+  grade_rod_error(grade, row, one, two, 3);
+  grade_rod_ends(grade, row, rod_is);
+  grade_rod_turns(grade, row, two, rod_is);
   grade.explain(physics_of(row, rod_is));
 }
 

@@ -1,0 +1,40 @@
+// Lesson 22: its card.
+#include "lessons/kit/card.hpp"
+
+namespace cairn {
+
+const LessonCard lesson22(
+    {.number = 22,
+     .name = "default",
+     .title = "What you get if you ask for nothing",
+     .idea =
+         "A scene that names no setting gets four substeps, each solved twice, and while it is small with "
+         "all rows at once. Switch off one of these at a time, and see what it was good for.",
+     .paper = "beyond the paper",
+     .equations = {"work of a step = substeps × solves × systems or sweeps × rows × the price of one"},
+     .needs = {"lesson 18", "lesson 19", "lesson 21"},
+     .reads = {"src/scenes/default_setting.cpp", "lessons/sandbox/CHOOSING.md"},
+     .question =
+         "Twelve planks on pins are as long as the gap between two banks, and carry three loads. With "
+         "all rows at once the middle load sinks by 2\u00a0mm. With 20 sweeps in each solve no joint "
+         "ever opens by more than 12\u00a0mm. By how many centimetres does the load sink then?",
+     .spoilers = {"59 cm", "Pythagoras"},
+     .unasked = {"stones", "tower"},
+     .wrong =
+         {{{0}, {3}, "The gaps of thirteen joints add up, and the planks need not stay level."},
+          {{10},
+           {20},
+           "That is what the gaps add up to, along the bridge. A rope that is a little longer hangs a lot "
+           "lower."}},
+     .hints = {"What becomes of a level chain that is a little too long?",
+               "Each half is the long side of a triangle. How high is that triangle?",
+               "√((6 + x)² − 6²), where x is what the gaps of half a bridge add up to: less than 7 × 12 mm."},
+     .parameters = {{"planks", 12, 4, 24, "", "of the bridge", Parameter::Kind::whole},
+                    {"density", 20, 1, 200, "kg/m^2", "of its loads, of 0.64 m^2 each"},
+                    {"stones", 30, 1, 60, "", "of the small pile", Parameter::Kind::whole},
+                    {"tower", 110, 101, 130, "", "boxes of the tower beyond the border",
+                     Parameter::Kind::whole}},
+     .cover = 1,
+     .next = ""});
+
+}  // namespace cairn

@@ -1,0 +1,181 @@
+// Each kind of scene with a part of the default off, what that leaves and costs, and what is beyond the
+// border.
+#include "lesson.hpp"
+
+namespace cairn::usual {
+
+namespace {
+
+std::string millimetres(double metres) {
+  return metres < 1e-5 ? "0 mm" : significant(1000 * metres, 2) + " mm";
+}
+
+/// [m] What the picture of a scene tells.
+double told(const Kind& kind, const Outcome& outcome) {
+  if (kind.watched != ground) return outcome.sunk;
+  return std::max(outcome.overlap, outcome.gap);
+}
+
+std::string telling(const Kind& kind) {
+  if (kind.watched != ground) return "sinks by";
+  return kind.name == "pile" ? "overlaps by" : "opens by";
+}
+
+void draw_scene(Page& page, const Rect& rect, const Kind& kind, const Snapshot& now,
+                const std::string& title) {
+  const Rect inside = page.panel(rect, title);
+  page.canvas().push_clip(inside);
+  draw_world(page, fit(inside, kind.view), now, {.numbers = false, .contacts = false, .penetration = false});
+  page.canvas().pop_clip();
+}
+
+void draw_parts(Page& page, const Trials& trials) {
+  const List<Rect> panels = in_columns(page, {{0.5, {1, 1, 1}}, {0.5, {1, 1, 1}}});
+  for (int i = 0; i < trials.outcomes.size(); ++i) {
+    const Outcome& outcome = trials.outcomes[i];
+    draw_scene(page, panels[i], trials.kind, outcome.lowest,
+               fmt::format("{}: {}", outcome.name, millimetres(told(trials.kind, outcome))));
+  }
+  page.note(panels.back(), "One part is off",
+            fmt::format("The {} {} so much at worst. Row updates a step: {} by default, {} with one "
+                        "substep, {} with 20 sweeps.",
+                        trials.kind.name, telling(trials.kind), spaced(trials.outcomes[nothing_off].work),
+                        spaced(trials.outcomes[one_substep].work), spaced(trials.outcomes[swept].work)));
+}
+
+Shot parts_shot(const Trials& trials) {
+  std::string alt =
+      fmt::format("Five times the {}, where it is worst. It {}", trials.kind.name, telling(trials.kind));
+  for (const Outcome& outcome : trials.outcomes)
+    alt += fmt::format(" {} with {},", millimetres(told(trials.kind, outcome)), outcome.name);
+  alt.back() = '.';
+  return {.state = fmt::format("{} · one part off", trials.kind.name),
+          .alt = alt,
+          .draw = [&trials](Page& page) { draw_parts(page, trials); },
+          .key = true};
+}
+
+void draw_trade(Page& page, const Rect& rect, const Trials& trials) {
+  Plot plot{.title = fmt::format("the {} {} (mm)", trials.kind.name, telling(trials.kind))};
+  plot.x = {.title = "row updates a step", .scale = AxisScale::logarithmic};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-4, .max = 1e5};
+  Series series{.style = page.theme().si, .line = false};
+  for (const Outcome& outcome : trials.outcomes) {
+    const double left = std::max(1000 * told(trials.kind, outcome), 3e-4);
+    series.add(outcome.work, left);
+    const auto is_here = [&](const render::PointLabel& label) {
+      return std::abs(outcome.work / label.x - 1) < 0.05 && std::abs(left / label.y - 1) < 0.05;
+    };
+    const auto twin = std::find_if(plot.labels.begin(), plot.labels.end(), is_here);
+    if (twin == plot.labels.end())
+      plot.labels.push_back({outcome.work, left, outcome.name});
+    else
+      twin->text += ", " + outcome.name;
+  }
+  plot.x.min = 0.2 * *std::min_element(series.x.begin(), series.x.end());
+  plot.x.max = 8 * *std::max_element(series.x.begin(), series.x.end());
+  plot.series = {series};
+  draw_plot(page, rect, plot);
+}
+
+void draw_trades(Page& page, const DefaultRuns& runs) {
+  const List<Rect> parts = in_rows(page, {{0.5, {1, 1}}, {0.5, {1, 1}}});
+  for (int i = 0; i < runs.small.size(); ++i) draw_trade(page, parts[i], runs.small[i]);
+}
+
+void draw_sweeps(Page& page, const DefaultRuns& runs) {
+  const List<Rect> parts = in_rows(page, {0.76, 0.24});
+  Plot plot{.title = "the load of the bridge sinks by (mm), with so many sweeps in each solve"};
+  plot.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 8, .max = 1000};
+  plot.y = {.scale = AxisScale::logarithmic, .min = 1, .max = 2000};
+  Series sunk{.style = page.theme().si};
+  for (const SweepTrial& trial : runs.sweeps) sunk.add(trial.sweeps, 1000 * trial.sunk);
+  plot.series = {sunk};
+  const Outcome& usual = runs.small[the_bridge].outcomes[nothing_off];
+  plot.goals.push_back({1000 * usual.sunk, "all rows at once"});
+  draw_plot(page, parts[0], plot);
+  page.note(
+      parts[1], "Sweeps do not get there",
+      fmt::format("Eight times the sweeps halve it. {} sweeps take {} row updates a step and still leave "
+                  "{}; all rows at once take {}.",
+                  runs.sweeps.back().sweeps, spaced(runs.sweeps.back().work),
+                  millimetres(runs.sweeps.back().sunk), spaced(usual.work)));
+}
+
+Plot course_plot(const Page& page, const std::string& title, const List<double>& swept_metres,
+                 const List<double>& exact_metres) {
+  Plot plot{.title = title};
+  plot.x = {.title = "step", .min = 0, .max = swept_metres.size()};
+  plot.y = {.min = 0};
+  const auto add = [&plot](const std::string& name, const SeriesStyle& style, const List<double>& metres) {
+    Series& series = plot.series.emplace_back(Series{.name = name, .style = style, .markers = false});
+    for (int k = 0; k < metres.size(); ++k) series.add(k + 1, 1000 * metres[k]);
+  };
+  add("20 sweeps", page.theme().si, swept_metres);
+  add("newton", page.theme().exact, exact_metres);
+  return plot;
+}
+
+void draw_beyond(Page& page, const DefaultRuns& runs) {
+  const List<Rect> parts = in_rows(page, {{0.74, {1, 1}}, 0.26});
+  const Trials &tower = runs.large[the_tower], &pile = runs.large[the_large_pile];
+  draw_plot(page, parts[0],
+            course_plot(page, "the top of the tower sinks by (mm)", tower.outcomes[by_sweeps].sunk_by_step,
+                        tower.outcomes[at_once].sunk_by_step));
+  draw_plot(page, parts[1],
+            course_plot(page, "the pile overlaps by (mm)", pile.outcomes[by_sweeps].overlap_by_step,
+                        pile.outcomes[at_once].overlap_by_step));
+  page.note(
+      parts[2], "Beyond 300 freedoms",
+      fmt::format("Row updates a step: the tower {} with sweeps and {} with newton, the pile {} and {}. "
+                  "One border for both is wrong for the tower.",
+                  spaced(tower.outcomes[by_sweeps].work), spaced(tower.outcomes[at_once].work),
+                  spaced(pile.outcomes[by_sweeps].work), spaced(pile.outcomes[at_once].work)));
+}
+
+}  // namespace
+
+List<Shot> default_shots(const DefaultRuns& runs) {
+  const Trials& loaded = runs.small[the_bridge];
+  const auto draw_whole = [&loaded](Page& page, const Rect& rect) {
+    draw_scene(page, rect, loaded.kind, loaded.outcomes[nothing_off].last, "the default: all rows at once");
+  };
+  List<Shot> shots = {question_shot(
+      card(), {.state = fmt::format("after {:g} s", seconds),
+               .alt = "A level bridge of planks between two banks with three loads on it, and the question",
+               .scene = draw_whole,
+               .place = ScenePlace::above})};
+  for (const int wide : {the_bridge, the_beam}) shots.push_back(parts_shot(runs.small[wide]));
+  shots.push_back(
+      key_shot(runs, "more sweeps",
+               "How far the load of the bridge sinks against sweeps, a straight line that falls slowly, "
+               "far above the dashed line of all rows at once.",
+               draw_sweeps));
+  shots.push_back(key_shot(runs, "what it leaves, and what it costs",
+                           "Four charts of error against work, a point for each part that is off: sweeps are "
+                           "cheap and leave the most, and the default is dear and leaves the least.",
+                           draw_trades));
+  shots.push_back(
+      key_shot(runs, "beyond 300 freedoms",
+               "The top of the tower sinks ever faster under sweeps and not at all under newton; the "
+               "pile overlaps by a few millimetres under both.",
+               draw_beyond));
+  const auto draw_loose = [&loaded](Page& page, const Rect& rect) {
+    draw_scene(page, rect, loaded.kind, loaded.outcomes[swept].lowest,
+               "20 sweeps in each solve, at the lowest");
+  };
+  const Outcome& loose = loaded.outcomes[swept];
+  shots.push_back(answer_shot(
+      card(),
+      {.state = "at the lowest",
+       .alt = "The bridge hanging down under 20 sweeps, the question, and the answer.",
+       .scene = draw_loose,
+       .place = ScenePlace::above},
+      fmt::format(
+          "{:.0f} cm, though no joint opens by more than {:.0f} mm: a level chain that is a little longer "
+          "hangs a lot lower.",
+          100 * loose.sunk, std::ceil(1000 * loose.gap))));
+  return shots;
+}
+
+}  // namespace cairn::usual

@@ -1,0 +1,124 @@
+// What lesson 22 prints, and the claims that it makes.
+#include "lesson.hpp"
+
+namespace cairn::usual {
+
+namespace {
+
+std::string row_of(const Outcome& outcome, bool is_watched) {
+  return fmt::format("  {:<14}{:>11.3f}{:>11.3f}{:>12}{:>13.0f}{:>11.3f}", outcome.name,
+                     1000 * outcome.overlap, 1000 * outcome.gap,
+                     is_watched ? fmt::format("{:.2f}", cleaned(1000 * outcome.sunk)) : "", outcome.work,
+                     outcome.milliseconds);
+}
+
+void print_trials(Lesson& lesson, const Trials& trials) {
+  lesson.print(fmt::format("{}, {}", trials.kind.name, trials.usual.reason));
+  for (const Outcome& outcome : trials.outcomes) lesson.print(row_of(outcome, trials.kind.watched != ground));
+}
+
+void print_all(Lesson& lesson, const DefaultRuns& runs) {
+  lesson.print("is off         overlap (mm)   gap (mm)  sinks (mm)  work a step  ms a step");
+  for (const Trials& trials : runs.small) print_trials(lesson, trials);
+  lesson.print("Beyond the border, the default, which sweeps, and newton in its place:");
+  for (const Trials& trials : runs.large) print_trials(lesson, trials);
+  lesson.print("Work: row updates of SI that take as long. ms: on this machine; never checked.");
+  std::string sweeps = "The bridge, sweeps:   ", sunk = "  its load sinks (mm):",
+              work = "  work a step:        ";
+  for (const SweepTrial& trial : runs.sweeps) {
+    sweeps += fmt::format("{:>8}", trial.sweeps);
+    sunk += fmt::format("{:>8.0f}", 1000 * trial.sunk);
+    work += fmt::format("{:>8.0f}", trial.work);
+  }
+  for (const std::string& line : {sweeps, sunk, work}) lesson.print(line);
+  lesson.print();
+}
+
+/// [m] How far the middle can hang down where every joint is open by `gap`: half of the bridge is straight.
+double lowest_by_pythagoras(const DefaultSettings& settings, double gap) {
+  const double half = 0.5 * settings.planks, longer = half + gap * (settings.planks + 1) / 2;
+  return std::sqrt(longer * longer - half * half);
+}
+
+void check_bridge(Lesson& lesson, const DefaultRuns& runs) {
+  const List<Outcome>& outcomes = runs.small[the_bridge].outcomes;
+  lesson.check_small("the default by hand, and Simulation: the bridge (m)", runs.from_simulation, 0);
+  // A box of 0.8 m that tilts may be lower than the plank below it by half of its diagonal.
+  const Outcome& loose = outcomes[swept];
+  const double lowest = lowest_by_pythagoras(runs.settings, loose.gap) + 0.57;
+  lesson.check_that("sweeps: the middle sinks no lower than open joints let it (m)", loose.sunk <= lowest,
+                    fmt::format("{:.2f} <= {:.2f}", loose.sunk, lowest));
+  if (runs.settings.planks < 8 || runs.settings.density < 5 || runs.settings.density > 50) return;
+  lesson.check_that("it sinks by more than ten times the widest gap of a joint", loose.sunk > 10 * loose.gap,
+                    fmt::format("{:.0f} times", loose.sunk / loose.gap));
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = one_substep; i <= swept; ++i)
+    least = std::min(least, outcomes[i].sunk / outcomes[nothing_off].sunk);
+  lesson.check_that("whichever part is off, the load of the bridge sinks at least twice as far", least > 2,
+                    fmt::format("{:.1f} times", least));
+  double smallest = 1, largest = 0;
+  for (int i = 0; i + 3 < runs.sweeps.size(); ++i) {
+    const double left = runs.sweeps[i + 3].sunk / runs.sweeps[i].sunk;
+    smallest = std::min(smallest, left);
+    largest = std::max(largest, left);
+  }
+  lesson.check_that("eight times the sweeps halve that, about", smallest > 0.4 && largest < 0.6,
+                    fmt::format("{:.2f} to {:.2f}", smallest, largest));
+}
+
+void check_others(Lesson& lesson, const DefaultRuns& runs) {
+  const List<Outcome>&beam = runs.small[the_beam].outcomes, &pile = runs.small[the_pile].outcomes;
+  // All rows at once leave 1e-9 of a weight's impulse in each step, on an arm of 10 m.
+  lesson.check_small("the beam, all rows at once: its end sinks (m)", beam[nothing_off].sunk, 1e-6);
+  lesson.check_that("the beam under 20 sweeps: its end sinks by more than a metre", beam[swept].sunk > 1,
+                    fmt::format("{:.2f}", beam[swept].sunk));
+  if (runs.settings.stones < 20) return;
+  lesson.check_that("the pile: all rows at once take more than five times the work of sweeps",
+                    pile[nothing_off].work > 5 * pile[swept].work,
+                    fmt::format("{:.1f} times", pile[nothing_off].work / pile[swept].work));
+  lesson.check_that(
+      "the pile: one substep overlaps more than four (mm)",
+      pile[one_substep].overlap > 2 * pile[nothing_off].overlap,
+      fmt::format("{:.2f} > 2 × {:.2f}", 1000 * pile[one_substep].overlap, 1000 * pile[nothing_off].overlap));
+}
+
+void check_beyond(Lesson& lesson, const DefaultRuns& runs) {
+  const List<Outcome>&tower = runs.large[the_tower].outcomes, &pile = runs.large[the_large_pile].outcomes;
+  lesson.check_small("the tower beyond the border: newton holds it (m)", tower[at_once].sunk, 1e-6);
+  if (runs.settings.tower >= 110)
+    lesson.check_that("the default lets it fall, for more work: its top sinks by more than a metre",
+                      tower[by_sweeps].sunk > 1 && tower[by_sweeps].work > tower[at_once].work,
+                      fmt::format("{:.2f} m, {:.2f} times", tower[by_sweeps].sunk,
+                                  tower[by_sweeps].work / tower[at_once].work));
+  lesson.check_that("the pile beyond it: newton takes more than ten times the work",
+                    pile[at_once].work > 10 * pile[by_sweeps].work,
+                    fmt::format("{:.0f} times", pile[at_once].work / pile[by_sweeps].work));
+}
+
+}  // namespace
+
+void report(Lesson& lesson, const DefaultRuns& runs) {
+  lesson.print();
+  print_all(lesson, runs);
+  const Outcome& loose = runs.small[the_bridge].outcomes[swept];
+  lesson.answer(
+      {100 * loose.sunk}, 25 * loose.sunk,
+      fmt::format("Centimetres. Joints that open by {:.0f} mm make a level chain a little longer, and a "
+                  "little longer is a lot lower.",
+                  1000 * loose.gap));
+  check_bridge(lesson, runs);
+  check_others(lesson, runs);
+  check_beyond(lesson, runs);
+}
+
+CsvTable outcomes_table(const DefaultRuns& runs) {
+  CsvTable table{.header = {"scene", "off", "overlap_m", "gap_m", "sinks_m", "work"}};
+  for (const List<Trials>* list : {&runs.small, &runs.large})
+    for (const Trials& trials : *list)
+      for (const Outcome& outcome : trials.outcomes)
+        table.rows.push_back(
+            {trials.kind.name, outcome.name, outcome.overlap, outcome.gap, outcome.sunk, outcome.work});
+  return table;
+}
+
+}  // namespace cairn::usual
