@@ -60,8 +60,9 @@ TEST_CASE("the labels of a picture are text in SVG where that is asked for, and 
   CHECK(text.find("<use") == std::string::npos);
   const ScratchFolder other;
   run_program("lesson06_sequential_impulses", {"--frames", "2", "-o", other.path()});
+  const auto index = nlohmann::json::parse(other.text("frames.json"));
   int labels = 0;
-  for (const auto& word : nlohmann::json::parse(other.text("frames.json"))["frames"][0]["words"]) {
+  for (const auto& word : index["frames"][0]["words"]) {
     const std::string label = word;
     if (label.find_first_of("_^&<>{") != std::string::npos) continue;  // marked up there, or escaped
     CAPTURE(label);
