@@ -32,7 +32,9 @@ namespace cairn::render {
 namespace {
 
 constexpr int phases = 4;
-constexpr int side_at_one = 1024;  // [px] of the atlas at scale 1
+constexpr int side_at_one = 1024;   // [px] of the atlas at scale 1
+constexpr double slant = 0.2;       // how far a slanted sign leans to the right, for each unit of height
+constexpr double slant_axis = 540;  // [units of the font] what is so high stays where it is
 
 using Fonts = FixedList<stbtt_fontinfo, 4>;
 
@@ -60,10 +62,34 @@ float scale_of(const stbtt_fontinfo& font, double size) {
 std::uint64_t packed(const GlyphKey& key) {
   const std::uint64_t size = static_cast<std::uint64_t>(std::lround(64 * key.size));
   const std::uint64_t face = static_cast<std::uint64_t>(key.name.face);
-  const std::uint64_t index = static_cast<std::uint64_t>(key.name.index);
+  const std::uint64_t index = static_cast<std::uint64_t>(key.name.index) | std::uint64_t{key.name.slanted}
+                                                                               << 19U;
   const std::uint64_t phase = static_cast<std::uint64_t>(key.phase);
   return (((size * 64 + static_cast<std::uint64_t>(key.rim)) * phases + phase) * 4 + face) << 20U | index;
 }
+
+short leaning(short x, short y) { return static_cast<short>(x + std::lround(slant * (y - slant_axis))); }
+
+/// The outline of a sign, in units of its font.
+struct GlyphShape {
+  explicit GlyphShape(const GlyphName& glyph) {
+    stbtt_vertex* found = nullptr;
+    count = stbtt_GetGlyphShape(&font_of(glyph.face), glyph.index, &found);
+    vertices.reset(found);
+    for (int i = 0; glyph.slanted && i < count; ++i) {
+      stbtt_vertex& vertex = found[i];
+      vertex.x = leaning(vertex.x, vertex.y);
+      vertex.cx = leaning(vertex.cx, vertex.cy);
+      const short bend = vertex.type == STBTT_vcurve ? vertex.cx : vertex.x;
+      least_x = std::min({least_x, vertex.x, bend});
+      most_x = std::max({most_x, vertex.x, bend});
+    }
+  }
+
+  int count = 0;
+  short least_x = 32767, most_x = -32767;  // of a slanted sign
+  std::unique_ptr<stbtt_vertex, decltype(&std::free)> vertices = {nullptr, &std::free};
+};
 
 /// A bitmap on its way into the atlas.
 struct Bitmap {
@@ -81,6 +107,11 @@ Bitmap draw_glyph(const GlyphKey& key) {
   int bottom = 0;
   stbtt_GetGlyphBitmapBoxSubpixel(&font, key.name.index, scale, scale, shift, 0, &left, &top, &right,
                                   &bottom);
+  const GlyphShape shape(key.name);
+  if (key.name.slanted) {
+    left = static_cast<int>(std::floor(scale * shape.least_x + shift));
+    right = static_cast<int>(std::ceil(scale * shape.most_x + shift));
+  }
   Bitmap bitmap;
   bitmap.place = {.width = right - left, .height = bottom - top, .left = left, .top = top};
   if (bitmap.place.width <= 0 || bitmap.place.height <= 0) {
@@ -88,8 +119,12 @@ Bitmap draw_glyph(const GlyphKey& key) {
     return bitmap;
   }
   bitmap.texels.resize(bitmap.place.width * bitmap.place.height);
-  stbtt_MakeGlyphBitmapSubpixel(&font, bitmap.texels.data(), bitmap.place.width, bitmap.place.height,
-                                bitmap.place.width, scale, scale, shift, 0, key.name.index);
+  stbtt__bitmap target = {.w = bitmap.place.width,
+                          .h = bitmap.place.height,
+                          .stride = bitmap.place.width,
+                          .pixels = bitmap.texels.data()};
+  stbtt_Rasterize(&target, 0.35F, shape.vertices.get(), shape.count, scale, scale, shift, 0, left, top, 1,
+                  nullptr);
   return bitmap;
 }
 
@@ -150,12 +185,10 @@ double units_to_pixels(const GlyphName& glyph, double size) {
 }
 
 std::string glyph_outline(const GlyphName& glyph) {
-  stbtt_vertex* vertices = nullptr;
-  const int count = stbtt_GetGlyphShape(&font_of(glyph.face), glyph.index, &vertices);
-  const std::unique_ptr<stbtt_vertex, decltype(&std::free)> owner(vertices, &std::free);
+  const GlyphShape shape(glyph);
   std::string path;
-  for (int i = 0; i < count; ++i) {
-    const stbtt_vertex& vertex = vertices[i];
+  for (int i = 0; i < shape.count; ++i) {
+    const stbtt_vertex& vertex = shape.vertices.get()[i];
     if (vertex.type == STBTT_vmove) path += fmt::format("{}M{} {}", i > 0 ? "Z" : "", vertex.x, vertex.y);
     if (vertex.type == STBTT_vline) path += fmt::format("L{} {}", vertex.x, vertex.y);
     if (vertex.type == STBTT_vcurve)

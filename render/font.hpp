@@ -15,6 +15,7 @@ enum class Face { regular, bold, mono, mono_bold };
 struct GlyphName {
   Face face = Face::regular;
   int index = 0;  // 0: the box that stands for a missing sign
+  bool slanted = false;
 };
 
 /// The glyph of a code point in the face, else in the regular face, else the missing sign of the face.

@@ -10,9 +10,10 @@ namespace cairn::render {
 
 struct PlacedGlyph {
   GlyphName name = {};
-  double size = 0;  // the em [px]
-  double x = 0;     // of the pen, from the start of the line [px]
-  double drop = 0;  // of the base line, downwards [px]
+  double size = 0;             // the em [px]
+  double x = 0;                // of the pen, from the start of the line [px]
+  double drop = 0;             // of the base line, downwards [px]
+  std::string_view sign = {};  // the UTF-8 that it was set from, within the markup
 };
 
 struct GlyphLine {
@@ -20,8 +21,9 @@ struct GlyphLine {
   double width = 0;  // [px]
 };
 
-/// Subscripts and superscripts are set at 72 %; one of each at the same place stand above each other.
-GlyphLine lay_out(std::string_view markup, double size, Face face);
+/// Subscripts and superscripts are set at 78 %; one of each at the same place stand above each other.
+/// Variables are slanted; `is_formula`: letters that stand alone are variables.
+GlyphLine lay_out(std::string_view markup, double size, Face face, bool is_formula = false);
 
 /// Takes the first code point off a UTF-8 text; U+FFFD for one byte that is not UTF-8. The text must not be
 /// empty.

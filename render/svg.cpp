@@ -119,9 +119,47 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+/// Glyphs side by side in one font, at one size and on one base line.
+List<Span<const PlacedGlyph>> runs_of(const GlyphLine& line) {
+  const auto go_together = [](const PlacedGlyph& a, const PlacedGlyph& b) {
+    return a.name.face == b.name.face && a.name.slanted == b.name.slanted && a.size == b.size &&
+           a.drop == b.drop && a.x < b.x;
+  };
+  List<Span<const PlacedGlyph>> runs;
+  const Span<const PlacedGlyph> all = line.glyphs;
+  for (int begin = 0, end = 0; begin < all.size(); begin = end) {
+    for (end = begin + 1; end < all.size() && go_together(all[end - 1], all[end]);) ++end;
+    runs.push_back(all.subspan(begin, end - begin));
+  }
+  return runs;
+}
+
+/// Where a run stands, in which font, and how wide it is.
+std::string place_attributes(const Point& start, Span<const PlacedGlyph> run) {
+  const PlacedGlyph& first = run.front();
+  const PlacedGlyph& last = run.back();
+  const Face face = first.name.face;
+  const bool is_mono = face == Face::mono || face == Face::mono_bold;
+  const bool is_bold = face == Face::bold || face == Face::mono_bold;
+  return fmt::format(
+      " x=\"{}\" y=\"{}\" font-family=\"{}\"{}{} font-size=\"{}\" textLength=\"{}\" "
+      "lengthAdjust=\"spacingAndGlyphs\"",
+      short_number(start.x() + first.x), short_number(start.y() + first.drop),
+      is_mono ? "DejaVu Sans Mono, Menlo, Consolas, monospace"
+              : "DejaVu Sans, Verdana, Helvetica, sans-serif",
+      is_bold ? " font-weight=\"bold\"" : "", first.name.slanted ? " font-style=\"italic\"" : "",
+      short_number(first.size), short_number(last.x + advance(last.name, last.size) - first.x));
+}
+
+std::string letters_of(Span<const PlacedGlyph> run) {
+  std::string text;
+  for (const PlacedGlyph& placed : run) text += placed.sign;
+  return escaped(text);
+}
+
 }  // namespace
 
-void SvgDrawing::clear() { *this = {}; }
+void SvgDrawing::clear() { *this = SvgDrawing(letters_); }
 
 void SvgDrawing::polyline(Span<const Point> points, const Stroke& stroke) {
   std::string path;
@@ -174,9 +212,9 @@ void SvgDrawing::hatch(Span<const Point> points, const Stroke& stroke, double pi
 }
 
 std::string SvgDrawing::outline_of(const GlyphName& name) {
-  const auto [entry, is_new] = outlines_.try_emplace({name.face, name.index});
+  const auto [entry, is_new] = outlines_.try_emplace({name.face, name.index, name.slanted});
   if (is_new) {
-    entry->second = fmt::format("g{}-{}", static_cast<int>(name.face), name.index);
+    entry->second = fmt::format("g{}-{}{}", static_cast<int>(name.face), name.index, name.slanted ? "i" : "");
     definitions_ += fmt::format("<path id=\"{}\" d=\"{}\"/>\n", entry->second, glyph_outline(name));
   }
   return entry->second;
@@ -197,6 +235,7 @@ void SvgDrawing::write(const Point& start, const GlyphLine& line, const std::str
 
 void SvgDrawing::text(const Point& start, const GlyphLine& line, double rim, const TextStyle& style) {
   if (line.glyphs.empty()) return;
+  if (letters_ == Letters::text) return write_text(start, line, rim, style);
   if (rim > 0) {
     write(start, line,
           color_attribute("fill", style.halo) + color_attribute("stroke", style.halo) +
@@ -204,6 +243,25 @@ void SvgDrawing::text(const Point& start, const GlyphLine& line, double rim, con
           rim);
   }
   write(start, line, color_attribute("fill", style.color), 0);
+}
+
+void SvgDrawing::write_text(const Point& start, const GlyphLine& line, double rim, const TextStyle& style) {
+  std::string look = color_attribute("fill", style.color);
+  if (rim > 0) {
+    look += color_attribute("stroke", style.halo) +
+            fmt::format(" stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+                        short_number(2 * rim));
+  }
+  const List<Span<const PlacedGlyph>> runs = runs_of(line);
+  shapes_ += "<text xml:space=\"preserve\"" + look;
+  if (runs.size() == 1) {
+    shapes_ += place_attributes(start, runs[0]) + ">" + letters_of(runs[0]);
+  } else {
+    shapes_ += ">";
+    for (const Span<const PlacedGlyph>& run : runs)
+      shapes_ += "<tspan" + place_attributes(start, run) + ">" + letters_of(run) + "</tspan>";
+  }
+  shapes_ += "</text>\n";
 }
 
 void SvgDrawing::push_clip(const Rect& rect) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include <cairn/math/list.hpp>
 #include "render/canvas.hpp"
@@ -11,11 +12,16 @@
 
 namespace cairn::render {
 
-/// Takes the shapes that a Canvas draws (Canvas::record) and writes them as SVG 1.1. Letters become outlines,
-/// so a file looks the same wherever it is opened. Coordinates are pixels of the canvas; what is not usable()
-/// is left out.
+/// What becomes of letters: outlines look the same wherever the file is opened; text can be searched and
+/// edited, in the fonts of whoever opens it, stretched to the width that it has here.
+enum class Letters { outlines, text };
+
+/// Takes the shapes that a Canvas draws (Canvas::record) and writes them as SVG 1.1. Coordinates are pixels
+/// of the canvas; what is not usable() is left out.
 class SvgDrawing {
  public:
+  explicit SvgDrawing(Letters letters = Letters::outlines) : letters_(letters) {}
+
   /// Forgets everything drawn.
   void clear();
   void polyline(Span<const Point> points, const Stroke& stroke);
@@ -37,12 +43,15 @@ class SvgDrawing {
   std::string outline_of(const GlyphName& name);
   /// One layer of a line, glyphs or halos: `look` has its attributes.
   void write(const Point& start, const GlyphLine& line, const std::string& look, double rim);
+  /// The line as one element of text, over its halo.
+  void write_text(const Point& start, const GlyphLine& line, double rim, const TextStyle& style);
 
+  Letters letters_;
   std::string definitions_ = {};
   std::string shapes_ = {};
-  std::map<std::pair<Face, int>, std::string> outlines_ = {};  // name by glyph
-  int clips_ = 0;                                              // made so far
-  int open_ = 0;                                               // not yet taken back
+  std::map<std::tuple<Face, int, bool>, std::string> outlines_ = {};  // name by glyph
+  int clips_ = 0;                                                     // made so far
+  int open_ = 0;                                                      // not yet taken back
 };
 
 }  // namespace cairn::render

@@ -1,5 +1,6 @@
 // One tower with the loads of three engines, and charts of these loads and of their differences.
 #include "lesson.hpp"
+#include "render/solver_style.hpp"
 
 namespace cairn::tower {
 
@@ -159,8 +160,8 @@ List<Shot> tower_shots(const TowerRuns& runs) {
   const auto draw_answer = [&runs, last](Page& page, const Rect& rect) {
     Plot plot = gap_plot(page, runs, runs.warm, last);
     plot.now = {};
-    plot.series[0] = gap_series("top down − SI", {.color = page.theme().box2d.color}, runs.from_top[1].loads,
-                                runs.warm[1].loads);
+    plot.series[0] = gap_series("top down − SI", render::neutral_styles(page.theme())[0],
+                                runs.from_top[1].loads, runs.warm[1].loads);
     const double gap = gap_to_box2d(runs);
     plot.goals.push_back({gap, significant(gap, 2) + " N"});
     draw_plot(page, rect, plot);

@@ -2,6 +2,7 @@
 #include "lesson.hpp"
 
 #include "render/lint.hpp"
+#include "render/solver_style.hpp"
 
 namespace cairn::edges {
 
@@ -13,7 +14,7 @@ const FixedList<int, 8> map_sweeps = {1, 3, 10, 30, 100, 300, 1000, 3000};
 
 /// The style of the stack with the heavy box above, and of the other.
 SeriesStyle style_of(const Page& page, double ratio) {
-  return ratio >= 1 ? page.theme().si : page.theme().pgs;
+  return render::neutral_styles(page.theme())[ratio >= 1 ? 0 : 1];
 }
 
 /// The load on the ground as a column that fills up to what both boxes weigh.

@@ -1,16 +1,17 @@
 // The scene with its islands, awake or asleep, and below it what each switch pays for this step.
 #include "lesson.hpp"
+#include "render/solver_style.hpp"
 
 namespace cairn::needs {
 
 namespace {
 
-/// The runs that the question compares, and sleep, have colours of their own.
-Color color_of(const Page& page, int run) {
-  const Theme& theme = page.theme();
-  if (run == early) return theme.box2d.color;
-  if (run == by_islands) return theme.si.color;
-  return run == sleeping ? theme.pgs.color : theme.body;
+/// The runs that the question compares, and sleep, have looks of their own.
+SeriesStyle style_of(const Page& page, int run) {
+  const List<SeriesStyle> styles = render::neutral_styles(page.theme());
+  if (run == early) return styles[0];
+  if (run == by_islands) return styles[1];
+  return run == sleeping ? styles[2] : SeriesStyle{.color = page.theme().body};
 }
 
 /// Horizontal bars, a number for each switch.
@@ -32,8 +33,9 @@ void draw_amounts(Page& page, const Rect& rect, std::string_view title, const Ne
     const double base = middle + 0.36 * name.size;
     page.canvas().text({inside.x, base}, all.runs[i].switches.name,
                        i == early || i == by_islands ? value : name);
-    page.canvas().rect({left, middle - 0.32 * line, width, 0.64 * line},
-                       {.fill = color_of(page, i), .outline = page.theme().outline, .outline_width = 1});
+    page.canvas().rect(
+        {left, middle - 0.32 * line, width, 0.64 * line},
+        {.fill = style_of(page, i).color, .outline = page.theme().outline, .outline_width = 1});
     page.canvas().text({left + width + 6, base}, fixed(amounts[i], 0) + unit, value);
   }
 }
@@ -60,7 +62,7 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   Plot plot{.title = "row updates, step by step"};
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
   for (const int i : {early, by_islands, sleeping}) {
-    Series series{.name = all.runs[i].switches.name, .style = {.color = color_of(page, i)}, .markers = false};
+    Series series{.name = all.runs[i].switches.name, .style = style_of(page, i), .markers = false};
     for (int k = 0; k < all.settings.steps; ++k) {
       const auto updates = static_cast<double>(all.runs[i].steps[k].updates);
       series.x.insert(series.x.end(), {static_cast<double>(k), k + 1.0});

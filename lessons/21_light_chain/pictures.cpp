@@ -1,6 +1,7 @@
 // A bead aside and the swing that a step makes of it, chains under four solvers, growth against load, and
 // cures.
 #include "lesson.hpp"
+#include "render/solver_style.hpp"
 
 namespace cairn::taut {
 
@@ -40,7 +41,7 @@ Plot swing_plot(const Page& page) {
   Plot plot{.title = "x after each step, if it begins at 1"};
   plot.x = {.title = "step", .min = 0, .max = 8};
   plot.y = {.min = -16, .max = 16};
-  const FixedList<SeriesStyle, 3> styles = {page.theme().exact, page.theme().si, page.theme().box2d};
+  const List<SeriesStyle> styles = render::neutral_styles(page.theme());
   const FixedList<double, 3> angles = {0.5, 1.9, 2.1};
   for (int i = 0; i < 3; ++i) {
     List<double> x = {1};
@@ -85,10 +86,9 @@ Plot off_plot(const Page& page, const List<ChainRun>& all, const std::string& ti
   Plot plot{.title = title};
   plot.x = {.title = "step", .min = 0, .max = film_steps};
   plot.y = {.scale = AxisScale::logarithmic, .min = 1e-5, .max = 100};
-  const FixedList<SeriesStyle, 4> styles = {page.theme().pgs, page.theme().si, page.theme().box2d,
-                                            page.theme().exact};
+  const List<SeriesStyle> styles = render::neutral_styles(page.theme());
   for (int i = 0; i < 4; ++i) {
-    plot.series.push_back(over_steps(all[i].name, styles[i], all[i].off));
+    plot.series.push_back(over_steps(all[i].name, styles[(i + 1) % 4], all[i].off));
     plot.series.back().markers = false;
   }
   plot.goals.push_back({lost, "lost"});
@@ -106,8 +106,7 @@ Plot growth_plot(const Page& page, const ChainRuns& runs) {
     loaded.load = i * most / 400;
     formula.add(loaded.load, growth_by_formula(fastest_angle(loaded)));
   }
-  Series measured{.name = "measured", .style = page.theme().si, .line = false};
-  measured.style.marker = Marker::circle;
+  Series measured{.name = "measured", .style = render::neutral_styles(page.theme())[1], .line = false};
   for (const Growth& each : runs.growths) measured.add(each.load, each.measured);
   plot.series = {formula, measured};
   plot.cursor = runs.criticals[0].predicted;

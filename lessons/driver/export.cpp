@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -12,6 +13,7 @@
 #include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
 #include "lessons/driver/work_folder.hpp"
+#include "lessons/kit/film_encoding.hpp"
 #include "lessons/kit/words.hpp"
 #include <cairn/measure/whole_file.hpp>
 
@@ -27,18 +29,21 @@ constexpr const char* export_help =
     R"(lessons export N|all [flags]: pictures for documents, and their alt texts beside them
 
   -o, --out DIR             the folder (out/export)
-  --frames WHICH            key (at most 12), all, cover, N, A:B or A:B:STEP (films all, else cover)
+  --frames WHICH            key (at most 12), all, film, cover, N, A:B or A:B:STEP (films film, else
+                            cover); film: all of up to 64 frames, else every second or third
   --theme light|dark|both   (both)
-  --scale X                 1 is 1280 x 720 px, from 0.75 to 3 (1)
+  --scale X                 1 is 1280 x 720 px, from 0.75 to 3 (1; films 0.75)
   --format png|svg|apng|gif|webp|mp4
                             the last four: one film; gif, webp and mp4 need the program ffmpeg (png)
-  --fps X                   frames a second of a film, from 0.1 to 30 (1)
+  --fps X                   frames a second of a film, from 0.1 to 30
   --panel NAME              only the panel that has NAME in its title
   --transparent             no background; for png and svg
+  --text                    svg: text that can be searched and edited, not outlines
 Other flags are the lesson's own, such as --bodies 10.
 Files: 03_sequential_impulses_0007_light.png is frame 7, and 03_sequential_impulses_0007.txt says what it
-shows. A film has no number in its name, and its captions beside it: 03_sequential_impulses.vtt.
-Thirty frames are about 1 MB with --scale 0.75: only pixels that change are kept.
+shows. A film has no number in its name, its captions in it below each frame, and beside it as a file of their own:
+03_sequential_impulses.vtt. Without --fps a frame stays for 1 s, and 1/4 s more for each word of its caption
+that the caption before has not. A film keeps 255 colours, and of each frame what changes.
 )";
 
 /// What was asked for wrongly: one line for people.
@@ -50,7 +55,7 @@ struct Order {
   fs::path out = "out/export";
   Words themes = {"light", "dark"};
   std::string format = "png";
-  double fps = 1;
+  double ticks = 10;      // a second, of which frames of a film stay for a whole number
   Words flags = {};       // of the lessons
   Words complaints = {};  // of lessons whose own checks failed
 };
@@ -84,6 +89,7 @@ std::string complaints_in(const std::string& output) {
 /// Takes the words that concern the export; the others are for the lessons.
 Order order_of(const Words& words) {
   Order order;
+  std::optional<double> scale;
   const Words known = {"--out", "-o", "--theme", "--scale", "--format", "--fps"};
   for (int i = 0; i < words.size(); ++i) {
     const std::size_t sign = words[i].rfind("--", 0) == 0 ? words[i].find('=') : std::string::npos;
@@ -98,13 +104,16 @@ Order order_of(const Words& words) {
     if (flag == "--out" || flag == "-o") order.out = value;
     if (flag == "--theme" && one_of(flag, {"light", "dark", "both"}, value) != "both") order.themes = {value};
     if (flag == "--format") order.format = one_of(flag, {"png", "svg", "apng", "gif", "webp", "mp4"}, value);
-    if (flag == "--fps") order.fps = number_of(flag, 0.1, 30, value);
-    if (flag != "--scale") continue;
-    const double scale = number_of(flag, 0.75, 3, value);
-    order.flags.insert(order.flags.end(),
-                       {"--size", fmt::format("{}x{}", std::lround(1280 * scale), std::lround(720 * scale))});
+    if (flag == "--fps") {
+      order.ticks = number_of(flag, 0.1, 30, value);
+      order.flags.insert(order.flags.end(), {flag, fmt::format("{:g}", order.ticks)});
+    }
+    if (flag == "--scale") scale = number_of(flag, 0.75, 3, value);
   }
-  order.flags.insert(order.flags.begin(), {"--frames", is_film(order) ? "all" : "cover"});
+  const double used = scale.value_or(is_film(order) ? 0.75 : 1);
+  order.flags.insert(order.flags.begin(),
+                     {"--frames", is_film(order) ? "film" : "cover", "--size",
+                      fmt::format("{}x{}", std::lround(1280 * used), std::lround(720 * used))});
   return order;
 }
 
@@ -112,9 +121,8 @@ Order order_of(const Words& words) {
 nlohmann::json draw(Order& order, const Program& program, const std::string& theme, const fs::path& work) {
   Words command = {program.path.string(), "-q", "--color", "never", "--progress", "never"};
   command.insert(command.end(), order.flags.begin(), order.flags.end());
-  const bool is_drawn = !is_film(order) || order.format == "apng";
-  command.insert(command.end(), {"--format", is_drawn ? order.format : "png", "--fps",
-                                 fmt::format("{:g}", order.fps), "--theme", theme, "--out", work.string()});
+  command.insert(command.end(), {"--format", is_film(order) ? "apng" : order.format, "--theme", theme,
+                                 "--out", work.string()});
   const ProcessResult result = run_quietly(command);
   require_uninterrupted();
   if (result.code > 1) throw ProgramFailed(complaints_in(result.output), result.code);
@@ -124,30 +132,26 @@ nlohmann::json draw(Order& order, const Program& program, const std::string& the
   return nlohmann::json::parse(stream).at("frames");
 }
 
-/// What ffmpeg is to do: a GIF has a palette of its own, and an MP4 what browsers play.
 Words encoding_of(const std::string& format) {
-  if (format == "mp4")
-    return {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2"};
+  if (format == "mp4") return mp4_encoding();
   if (format == "webp") return {"-c:v", "libwebp_anim", "-lossless", "1", "-loop", "0"};
-  return {"-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop", "0"};
+  return gif_encoding();
 }
 
 std::string needs(const std::string& format) {
   return "--format " + format + " needs the program ffmpeg (apt-get install ffmpeg); apng needs none";
 }
 
-/// One film of the pictures in a folder.
-void encode(const Order& order, const fs::path& work, const std::string& stem, const fs::path& target) {
-  const fs::path made = work / ("film." + order.format);
-  Words command = {"ffmpeg",     "-y",
-                   "-framerate", fmt::format("{:g}", order.fps),
-                   "-i",         (work / (stem + "_%04d.png")).string()};
+/// The film in another format. What ffmpeg says of a failure is the reason.
+void encode(const Order& order, const fs::path& drawn, const fs::path& target) {
+  const fs::path made = drawn.parent_path() / ("film." + order.format);
+  Words command = {"ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "apng", "-i", drawn.string()};
   const Words encoding = encoding_of(order.format);
   command.insert(command.end(), encoding.begin(), encoding.end());
-  command.push_back(made.string());
+  command.insert(command.end(), {"-r", fmt::format("{:g}", order.ticks), made.string()});
   const ProcessResult result = run_quietly(command);
   require_uninterrupted();
-  if (result.code != 0) throw WriteError("cannot write " + target.string() + ": " + needs(order.format));
+  if (result.code != 0) throw WriteError("cannot write " + target.string() + ": ffmpeg: " + result.output);
   move_to(made, target);
 }
 
@@ -159,12 +163,14 @@ std::string film_time(double seconds) {
 }
 
 /// What each frame shows, for as long as it is seen (WebVTT).
-std::string captions(const nlohmann::json& frames, double fps) {
+std::string captions(const nlohmann::json& frames) {
   std::string text = "WEBVTT\n";
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const auto at = static_cast<double>(i);
-    text += fmt::format("\n{} --> {}\n{}\n", film_time(at / fps), film_time((at + 1) / fps),
-                        frames[i].at("alt").get<std::string>());
+  double begin = 0;
+  for (const auto& frame : frames) {
+    const double end = begin + frame.at("seconds").get<double>();
+    text += fmt::format("\n{} --> {}\n{}\n", film_time(begin), film_time(end),
+                        frame.at("alt").get<std::string>());
+    begin = end;
   }
   return text;
 }
@@ -187,16 +193,14 @@ int export_one(Order& order, const Program& program, const std::string& theme) {
     write_whole_file(order.out / (numbered + ".txt"), text + "\n");
   }
   if (!is_film(order)) return static_cast<int>(frames.size());
-  const std::string stem = "l" + two_digits(program.number);
-  const std::string kind = order.format == "apng" ? "png" : order.format;
-  const fs::path film = order.out / (name + "_" + theme + "." + kind);
+  const fs::path drawn = work / frames.front().at("file").get<std::string>();
   if (order.format == "apng") {
-    move_to(work / (stem + ".png"), film);
+    move_to(drawn, order.out / (name + "_" + theme + ".png"));
   } else {
-    encode(order, work, stem, film);
+    encode(order, drawn, order.out / (name + "_" + theme + "." + order.format));
   }
   write_whole_file(order.out / (name + ".txt"), alt);
-  write_whole_file(order.out / (name + ".vtt"), captions(frames, order.fps));
+  write_whole_file(order.out / (name + ".vtt"), captions(frames));
   return 1;
 }
 

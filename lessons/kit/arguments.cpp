@@ -51,6 +51,7 @@ void add_flags(CLI::App& app, Texts& texts, Options& options) {
   app.add_flag("--list-params", texts.list_params);
   app.add_flag("--dry-run", texts.dry_run);
   app.add_flag("--transparent", options.transparent);
+  app.add_flag("--text", options.text);
   app.add_flag("--predict", options.predict);
   app.add_flag("--check", options.check);
   app.add_flag("--checks", options.checks);
@@ -178,38 +179,36 @@ void read_format(const LessonInfo& info, const CLI::App& app, const Texts& texts
   if (options.transparent && options.format == Options::Format::apng)
     refuse(info, "--transparent must come with --format png or svg, got apng");
   if (app.count("--fps") > 0) {
-    const std::optional<double> fps = parse_number(texts.fps);
-    options.fps = fps.value_or(0);
-    if (options.fps < 0.1 || options.fps > 30)
+    options.fps = parse_number(texts.fps);
+    if (!options.fps || *options.fps < 0.1 || *options.fps > 30)
       refuse(info, "--fps must be a number from 0.1 to 30, got " + texts.fps);
   }
   if (app.count("--panel") > 0 && texts.panel.empty()) refuse(info, "--panel must name a panel, got nothing");
   options.panel = texts.panel;
+  if (options.text && options.format != Options::Format::svg)
+    refuse(info, "--text must come with --format svg");
   if (options.transparent) options.picture_flags.push_back("--transparent");
+  if (options.text) options.picture_flags.push_back("--text");
 }
 
 void read_pictures(const LessonInfo& info, const CLI::App& app, const Texts& texts, Options& options) {
   options.out = std::filesystem::path("out") / short_name(info);
-  if (app.count("--out") > 0) {
-    options.out = read_path(info, "out", "name a folder", texts.out);
-  }
+  if (app.count("--out") > 0) options.out = read_path(info, "out", "name a folder", texts.out);
   if (app.count("--frames") > 0) {
     const std::optional<FrameChoice> choice = parse_frames(texts.frames);
     if (!choice) {
       refuse(info,
-             "--frames must be key, all, none, cover, N, A:B or A:B:STEP "
+             "--frames must be key, all, film, none, cover, N, A:B or A:B:STEP "
              "(from 1; -1 is the last), got " +
                  texts.frames);
     }
     options.frames = *choice;
   }
   if (app.count("--size") > 0) read_size(info, texts.size, options);
-  if (app.count("--theme") > 0 && read_word(info, "theme", {"light", "dark"}, texts.theme) == 1) {
+  if (app.count("--theme") > 0 && read_word(info, "theme", {"light", "dark"}, texts.theme) == 1)
     options.theme = Options::Theme::dark;
-  }
-  if (app.count("--palette") > 0 && read_word(info, "palette", {"color", "gray"}, texts.palette) == 1) {
+  if (app.count("--palette") > 0 && read_word(info, "palette", {"color", "gray"}, texts.palette) == 1)
     options.palette = Options::Palette::gray;
-  }
   read_format(info, app, texts, options);
   const List<std::pair<std::string, std::string>> given = {
       {"--out", texts.out},     {"--frames", texts.frames},   {"--size", texts.size},

@@ -41,9 +41,10 @@ struct Options {
   Theme theme = Theme::light;
   Palette palette = Palette::color;
   Format format = Format::png;
-  double fps = 1;            // of a film; so slow that each frame can be read
-  std::string panel = {};    // of each frame only the panel with this in its title; "": all
-  bool transparent = false;  // no background
+  std::optional<double> fps = {};  // of a film; nothing: each frame stays until its caption is read
+  std::string panel = {};          // of each frame only the panel with this in its title; "": all
+  bool transparent = false;        // no background
+  bool text = false;               // letters of an SVG that can be searched, in place of their outlines
 
   std::string csv = {};     // a path; "-": stdout; "": nowhere
   std::string json = {};    // likewise

@@ -50,7 +50,8 @@ Console::Console(const ConsoleSettings& settings)
 
 void Console::write(std::string_view line, Color color) {
   const bool is_set = width_ < unlimited || settings_.plain;
-  if (is_set && color == Color::none && has_cells(line) && line.find('\n') == std::string_view::npos) {
+  const bool is_of_table = has_cells(line) || (!table_.empty() && line.starts_with("  "));
+  if (is_set && color == Color::none && is_of_table && line.find('\n') == std::string_view::npos) {
     table_ += std::string(line) + "\n";
     return;
   }

@@ -7,12 +7,12 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "lessons/kit/captioned_film.hpp"
 #include "lessons/kit/frames.hpp"
 #include "lessons/kit/picture.hpp"
 #include "lessons/kit/words.hpp"
@@ -73,21 +73,14 @@ void remove_all_but(const fs::path& folder, const List<std::string>& files,
   }
 }
 
-/// The files of a film: numbered pictures, or one that moves.
+/// Numbered pictures in a folder.
 class FrameFiles {
  public:
-  FrameFiles(const Options& options, render::Page& page, std::string stem, int count)
-      : options_(options), maker_(options, page), stem_(std::move(stem)), pictures_(options.out, stem_) {
-    if (options.format == Options::Format::apng)
-      film_.emplace(options.out / (stem_ + ".png"), count, options.fps);
-  }
+  FrameFiles(const Options& options, render::Page& page, std::string stem)
+      : options_(options), maker_(options, page), stem_(std::move(stem)), pictures_(options.out, stem_) {}
 
   /// Draws the next frame and returns the name of the file that it will be in.
   std::string add(const std::function<void()>& draw, const std::string& alt) {
-    if (film_) {
-      film_->add(maker_.image(draw));
-      return stem_ + ".png";
-    }
     const bool is_svg = options_.format == Options::Format::svg;
     if (!is_svg && !options_.transparent) return pictures_.add(maker_.image(draw)).filename().string();
     const std::string name = fmt::format("{}_{:04}.{}", stem_, ++count_, is_svg ? "svg" : "png");
@@ -95,17 +88,13 @@ class FrameFiles {
     return name;
   }
 
-  void finish() {
-    if (film_) film_->finish();
-    pictures_.finish();
-  }
+  void finish() { pictures_.finish(); }
 
  private:
   const Options& options_;
   PictureMaker maker_;
   std::string stem_;
   render::FrameWriter pictures_;  // encodes plain pictures while the next is drawn
-  std::optional<render::ApngWriter> film_ = {};
   int count_ = 0;
 };
 
@@ -123,7 +112,9 @@ class FilmMaker {
     // Known before anything is written, so that an old picture is never left among the new.
     const List<std::string> earlier = earlier_frames(options_.out, stem());
     try {
-      write_frames(shots, wanted);
+      index_ = {{"lesson", info_.number}, {"title", info_.title}, {"frames_of_the_sequence", shots.size()}};
+      index_["frames"] = Json::array();
+      options_.format == Options::Format::apng ? write_film(shots, wanted) : write_frames(shots, wanted);
       write_whole_file(options_.out / "frames.json", index_.dump(2) + "\n");
     } catch (...) {
       remove_all_but(options_.out, {written_.begin(), written_.end()}, {});
@@ -157,24 +148,51 @@ class FilmMaker {
   }
 
   void write_frames(const List<Shot>& shots, const List<int>& wanted) {
-    index_ = {{"lesson", info_.number}, {"title", info_.title}, {"frames_of_the_sequence", shots.size()}};
-    index_["frames"] = Json::array();
     Progress progress(options_.console, "pictures", wanted.size());
-    FrameFiles files(options_, page_, stem(), wanted.size());
+    FrameFiles files(options_, page_, stem());
     for (int done = 0; done < wanted.size(); ++done) {
       const Shot& shot = shots[wanted[done]];
       const std::string file = files.add([&] { draw(shot, wanted[done], shots.size()); }, shot.alt);
-      find_faults(wanted[done]);
-      written_.insert(file);
-      index_["frames"].push_back({{"file", file},
-                                  {"frame", wanted[done] + 1},
-                                  {"state", shot.state},
-                                  {"alt", shot.alt},
-                                  {"words", words_drawn()}});
+      note(shot, wanted[done], file);
       progress.advance(done + 1);
       pause_after(shot, file);
     }
     files.finish();
+  }
+
+  void write_film(const List<Shot>& shots, const List<int>& wanted) {
+    Progress progress(options_.console, "pictures", 2 * wanted.size());
+    PictureMaker maker(options_, page_);
+    List<std::string> captions;
+    for (const int index : wanted) captions.push_back(shots[index].alt);
+    CaptionedFilm film(options_, page_.theme(), captions);
+    const auto picture = [&](int done) {
+      return maker.image([&] { draw(shots[wanted[done]], wanted[done], shots.size()); });
+    };
+    for (int done = 0; done < wanted.size(); ++done) {
+      film.look_at(picture(done));
+      progress.advance(done + 1);
+    }
+    const std::string file = stem() + ".png";
+    film.begin(options_.out / file);
+    for (int done = 0; done < wanted.size(); ++done) {
+      film.add(picture(done));
+      note(shots[wanted[done]], wanted[done], file);
+      index_["frames"].back()["seconds"] = film.seconds(done);
+      progress.advance(wanted.size() + done + 1);
+    }
+    film.finish();
+  }
+
+  /// Enters the frame that was drawn into the index.
+  void note(const Shot& shot, int index, const std::string& file) {
+    find_faults(index);
+    written_.insert(file);
+    index_["frames"].push_back({{"file", file},
+                                {"frame", index + 1},
+                                {"state", shot.state},
+                                {"alt", shot.alt},
+                                {"words", words_drawn()}});
   }
 
   void draw(const Shot& shot, int index, int count) {

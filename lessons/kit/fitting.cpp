@@ -117,6 +117,32 @@ std::optional<std::string> cut_up(const TextTable& table, int width) {
   return text;
 }
 
+/// The same with what is in brackets in its head, the units, in a line below; nothing where there is none.
+std::optional<TextTable> with_units_below(TextTable table) {
+  if (table.rows.size() < 2 || table.rows.front().empty()) return {};
+  List<Cell> units(table.columns.size());
+  bool has_units = false;
+  for (int i = 0; i < units.size(); ++i) {
+    Cell& cell = table.rows.front()[i];
+    const std::size_t bracket = cell.text.find(" (");
+    if (bracket == std::string::npos) continue;
+    units[i] = cell;
+    units[i].text = cell.text.substr(bracket + 1);
+    cell.text.resize(bracket);
+    has_units = true;
+  }
+  if (!has_units) return {};
+  table.rows.insert(table.rows.begin() + 1, units);
+  table.lines.insert(table.lines.begin() + 1, "");
+  for (int i = 0; i < units.size(); ++i) {
+    table.columns[i].width = 0;
+    for (const List<Cell>& row : table.rows)
+      if (!row.empty())
+        table.columns[i].width = std::max(table.columns[i].width, row[i].indent + width_of(row[i].text));
+  }
+  return table;
+}
+
 /// Where lines with many more or many fewer cells than before begin; 0 if nowhere.
 int where_another_begins(const List<std::string>& lines) {
   int place = 0;
@@ -141,6 +167,8 @@ std::string set_table(const List<std::string>& lines, int width, bool plain) {
   if (setting.last_width) return set_rows(table, setting);
   setting.most = 1;
   if (table_width(table, 1) <= width) return set_rows(table, setting);
+  if (const auto taller = with_units_below(table); taller && table_width(*taller, 1) <= width)
+    return set_rows(*taller, setting);
   if (const auto parts = cut_up(table, width)) return *parts;
   if (const int other = where_another_begins(lines); other > 0) {
     return set_table({lines.begin(), lines.begin() + other}, width, plain) +
@@ -149,6 +177,12 @@ std::string set_table(const List<std::string>& lines, int width, bool plain) {
   std::string text;
   for (const std::string& line : table.lines) text += set_prose(line, width) + "\n";
   return text;
+}
+
+/// Whether prose begins where a table does, as a title between its rows would: it does not end the table.
+bool stands_within(std::string_view line, std::string_view first) {
+  const std::size_t indent = line.find_first_not_of(' ');
+  return indent != std::string_view::npos && indent > 0 && indent == first.find_first_not_of(' ');
 }
 
 }  // namespace
@@ -176,7 +210,7 @@ std::string fitted(std::string_view text, int width, bool plain) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string line(text.substr(begin, end - begin));
     begin = end + 1;
-    if (has_cells(line)) {
+    if (has_cells(line) || (!table.empty() && stands_within(line, table.front()))) {
       table.push_back(line);
       continue;
     }

@@ -8,6 +8,7 @@ namespace cairn {
 namespace {
 
 constexpr int most_key_frames = 12;
+constexpr int most_film_frames = 64;  // without the key frames between them
 
 std::optional<int> parse_frame_number(std::string_view text) {
   int value = 0;
@@ -66,6 +67,14 @@ List<int> key_frames(const FrameSupply& supply) {
   return chosen;
 }
 
+List<int> film_frames(const FrameSupply& supply) {
+  const int count = supply.key.size(), step = (count + most_film_frames - 1) / most_film_frames;
+  List<int> chosen;
+  for (int i = 0; i < count; ++i)
+    if (i % step == 0 || supply.key[i] || i + 1 == count) chosen.push_back(i);
+  return chosen;
+}
+
 List<int> cover_frame(const FrameSupply& supply) {
   const long long index = index_of(supply.cover, supply.key.size());
   if (supply.cover == 0 || index < 0 || index >= supply.key.size()) {
@@ -80,6 +89,7 @@ List<int> cover_frame(const FrameSupply& supply) {
 std::optional<FrameChoice> parse_frames(std::string_view text) {
   if (text == "key") return FrameChoice{.kind = FrameChoice::Kind::key};
   if (text == "all") return FrameChoice{.kind = FrameChoice::Kind::all};
+  if (text == "film") return FrameChoice{.kind = FrameChoice::Kind::film};
   if (text == "none") return FrameChoice{.kind = FrameChoice::Kind::none};
   if (text == "cover") return FrameChoice{.kind = FrameChoice::Kind::cover};
   return parse_range(text);
@@ -91,6 +101,8 @@ List<int> chosen_frames(const FrameChoice& choice, const FrameSupply& supply) {
       return {};
     case FrameChoice::Kind::key:
       return key_frames(supply);
+    case FrameChoice::Kind::film:
+      return film_frames(supply);
     case FrameChoice::Kind::cover:
       return cover_frame(supply);
     case FrameChoice::Kind::all:

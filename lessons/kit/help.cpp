@@ -16,15 +16,17 @@ constexpr int help_width = 104;
 
 constexpr const char* common_help = R"(
 Pictures  -o, --out DIR             the folder ({0})
-          --frames WHICH            key (at most 12), all, none, cover, N, A:B or A:B:STEP;
-                                    -1 is the last (key)
+          --frames WHICH            key (at most 12), all, film, none, cover, N, A:B or A:B:STEP;
+                                    film: every second of more than 64; -1 is the last (key)
           --size WHICH              small, medium, large or WIDTHxHEIGHT in px (medium)
           --theme light|dark        (light)
           --palette color|gray      gray for black-and-white print (color)
-          --format png|svg|apng     apng: one film of these frames (png)
-          --fps X                   frames a second of a film, from 0.1 to 30 (1)
+          --format png|svg|apng     apng: one film of these frames, with their captions (png)
+          --fps X                   frames a second of a film, from 0.1 to 30 (each frame
+                                    stays 1 s, and 1/4 s for each new word of its caption)
           --panel NAME              only the panel that has NAME in its title
           --transparent             no background; for png and svg
+          --text                    svg: text that can be searched and edited, not outlines
           --dry-run                 writes no file at all
 Data      --csv FILE|-              the lesson's numbers; - is stdout, and the text goes to stderr
           --json FILE|-             likewise

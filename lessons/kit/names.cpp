@@ -14,10 +14,10 @@ std::string typed_command(const LessonInfo& info) {
 
 const List<std::string>& common_flags() {
   static const List<std::string> flags = {
-      "help",  "version", "about",  "list-params", "predict", "answer",      "hint",
-      "check", "checks",  "step",   "out",         "frames",  "dry-run",     "size",
-      "theme", "palette", "format", "panel",       "fps",     "transparent", "csv",
-      "json",  "expect",  "quiet",  "verbose",     "plain",   "color",       "progress"};
+      "help",   "version", "about", "list-params", "predict", "answer", "hint",  "check",
+      "checks", "step",    "out",   "frames",      "dry-run", "size",   "theme", "palette",
+      "format", "panel",   "fps",   "transparent", "text",    "csv",    "json",  "expect",
+      "quiet",  "verbose", "plain", "color",       "progress"};
   return flags;
 }
 

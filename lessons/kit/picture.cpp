@@ -18,7 +18,10 @@ std::string text_of(const List<std::uint8_t>& bytes) { return {bytes.begin(), by
 
 }  // namespace
 
-PictureMaker::PictureMaker(const Options& options, render::Page& page) : options_(options), page_(page) {
+PictureMaker::PictureMaker(const Options& options, render::Page& page)
+    : options_(options),
+      page_(page),
+      drawing_(options.text ? render::Letters::text : render::Letters::outlines) {
   if (options_.format == Options::Format::svg) page_.canvas().record(&drawing_);
 }
 

@@ -31,7 +31,7 @@ class PictureMaker {
  private:
   const Options& options_;
   render::Page& page_;
-  render::SvgDrawing drawing_ = {};
+  render::SvgDrawing drawing_;
 };
 
 }  // namespace cairn

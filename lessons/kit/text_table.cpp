@@ -61,6 +61,17 @@ bool is_gap(const List<Glyphs>& lines, int at) {
   return std::all_of(lines.begin(), lines.end(), [at](const Glyphs& line) { return is_blank(line, at); });
 }
 
+/// Whether numbers end in front of a blank, and words above them: then it parts two columns by itself.
+bool is_behind_numbers(const List<Glyphs>& lines, int at) {
+  const auto ends_there = [at](const Glyphs& line) { return !is_blank(line, at - 1); };
+  const auto is_digit = [at](const Glyphs& line) {
+    const char last = line[at - 1].empty() ? ' ' : line[at - 1].back();
+    return last >= '0' && last <= '9';
+  };
+  return at > 0 && lines.size() > 2 && std::all_of(lines.begin(), lines.end(), ends_there) &&
+         std::any_of(lines.begin(), lines.end(), is_digit);
+}
+
 List<Column> columns_of(const List<Glyphs>& lines) {
   int widest = 0;
   for (const Glyphs& line : lines) widest = std::max(widest, line.size());
@@ -69,7 +80,7 @@ List<Column> columns_of(const List<Glyphs>& lines) {
   for (int at = 0; at < widest; ++at) {
     if (is_gap(lines, at)) {
       ++blanks;
-    } else if (columns.empty() || blanks > 1) {
+    } else if (columns.empty() || blanks > 1 || (blanks == 1 && is_behind_numbers(lines, at - 1))) {
       columns.push_back({.begin = at, .end = at + 1, .gap = blanks});
       blanks = 0;
     } else {

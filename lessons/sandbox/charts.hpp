@@ -1,6 +1,7 @@
 // The charts of the program: an atlas of cells, a map of settings, work against error, profiles, tracks.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <cairn/study/extremes/atlas.hpp>
@@ -8,6 +9,7 @@
 #include <cairn/measure/tracks.hpp>
 #include "render/image.hpp"
 #include "render/page.hpp"
+#include "render/svg.hpp"
 #include "render/theme.hpp"
 #include <cairn/study/work_precision.hpp>
 #include <cairn/study/tuning/map_study.hpp>
@@ -55,9 +57,11 @@ struct TrackChart {
   List<Track> tracks = {};
   List<double> times = {};  // [s] of their values
 };
-/// Quantities over time, those of one unit in one panel: the bytes of a PNG, or of an SVG.
+/// Quantities over time, those of one unit in one panel: the bytes of a PNG, or of an SVG where `svg` says
+/// what becomes of its letters.
 /// @throws render::RenderError for no tracks, and for more than 4 panels of 4.
-std::string draw_tracks(const TrackChart& chart, const render::Theme& theme, bool as_svg);
+std::string draw_tracks(const TrackChart& chart, const render::Theme& theme,
+                        const std::optional<render::Letters>& svg);
 
 // What several of them are made of.
 

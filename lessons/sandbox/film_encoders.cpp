@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "lessons/kit/film_encoding.hpp"
 #include "lessons/sandbox/interrupt.hpp"
 #include <cairn/math/list.hpp>
 #include <cairn/measure/whole_file.hpp>
@@ -67,8 +68,13 @@ void encode(const fs::path& program, List<std::string> words, const fs::path& ta
   }
 }
 
-List<std::string> ffmpeg_input(const fs::path& folder, double frames_per_second) {
-  return {"-y", "-framerate", fmt::format("{:g}", frames_per_second), "-i", (folder / "%04d.png").string()};
+void encode_with_ffmpeg(const fs::path& folder, double frames_per_second, const List<std::string>& encoding,
+                        const std::string& format, const fs::path& target) {
+  List<std::string> words = {"-y", "-framerate", fmt::format("{:g}", frames_per_second), "-i",
+                             (folder / "%04d.png").string()};
+  words.insert(words.end(), encoding.begin(), encoding.end());
+  words.insert(words.end(), {"-f", format});
+  encode(*program_in_path("ffmpeg"), words, target);
 }
 
 }  // namespace
@@ -91,6 +97,9 @@ void require_encoders(const FilmFiles& files) {
   if (files.gif && !has_ffmpeg) {
     throw render::WriteError("--gif needs the program ffmpeg, which is not in PATH; --apng needs none");
   }
+  if (files.mp4 && !has_ffmpeg) {
+    throw render::WriteError("--mp4 needs the program ffmpeg, which is not in PATH; --apng needs none");
+  }
   if (files.webp && !has_ffmpeg && !program_in_path("img2webp")) {
     throw render::WriteError(
         "--webp needs the program img2webp or ffmpeg, neither of which is in PATH; --apng needs none");
@@ -98,20 +107,18 @@ void require_encoders(const FilmFiles& files) {
 }
 
 void encode_gif(const fs::path& folder, double frames_per_second, const fs::path& target) {
-  List<std::string> words = ffmpeg_input(folder, frames_per_second);
-  // A palette of the film's own: the usual one dithers what is drawn in few colours.
-  words.insert(words.end(),
-               {"-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none", "-loop",
-                "0", "-f", "gif"});
-  encode(*program_in_path("ffmpeg"), words, target);
+  encode_with_ffmpeg(folder, frames_per_second, gif_encoding(), "gif", target);
+}
+
+void encode_mp4(const fs::path& folder, double frames_per_second, const fs::path& target) {
+  encode_with_ffmpeg(folder, frames_per_second, mp4_encoding(), "mp4", target);
 }
 
 void encode_webp(const fs::path& folder, int count, double frames_per_second, const fs::path& target) {
   const std::optional<fs::path> img2webp = program_in_path("img2webp");
   if (!img2webp) {
-    List<std::string> words = ffmpeg_input(folder, frames_per_second);
-    words.insert(words.end(), {"-c:v", "libwebp", "-lossless", "1", "-loop", "0", "-f", "webp"});
-    return encode(*program_in_path("ffmpeg"), words, target);
+    const List<std::string> encoding = {"-c:v", "libwebp_anim", "-lossless", "1", "-loop", "0"};
+    return encode_with_ffmpeg(folder, frames_per_second, encoding, "webp", target);
   }
   const long milliseconds = std::max(1L, std::lround(1000 / frames_per_second));
   List<std::string> words = {"-loop", "0", "-lossless", "-d", std::to_string(milliseconds)};

@@ -173,6 +173,10 @@ void write_encoded_films(const FilmFiles& files, const fs::path& folder, int cou
     encode_gif(folder, files.frames_per_second, *files.gif);
     outcome.written.push_back(files.gif->string());
   }
+  if (files.mp4) {
+    encode_mp4(folder, files.frames_per_second, *files.mp4);
+    outcome.written.push_back(files.mp4->string());
+  }
   if (files.webp) {
     encode_webp(folder, count, files.frames_per_second, *files.webp);
     outcome.written.push_back(files.webp->string());
@@ -187,6 +191,7 @@ List<Flag> film_flags() {
           {"fps", "N", "frames for each second of the scene (30)"},
           {"apng", "FILE", "the film in one file, as animated PNG"},
           {"gif", "FILE", "the same as GIF; needs ffmpeg"},
+          {"mp4", "FILE", "the same as MP4; needs ffmpeg"},
           {"webp", "FILE", "the same as WebP; needs img2webp or ffmpeg"}};
 }
 
@@ -195,9 +200,10 @@ FilmFiles film_files(const Words& words) {
   if (const auto path = words.text("frames")) files.frames = *path;
   if (const auto path = words.text("apng")) files.apng = *path;
   if (const auto path = words.text("gif")) files.gif = *path;
+  if (const auto path = words.text("mp4")) files.mp4 = *path;
   if (const auto path = words.text("webp")) files.webp = *path;
   for (const char* flag : {"fps", "size", "theme", "show"}) {
-    if (!files.any()) words.refuse_beside(flag, "without --frames, --apng, --gif or --webp");
+    if (!files.any()) words.refuse_beside(flag, "without --frames, --apng, --gif, --mp4 or --webp");
   }
   files.frames_per_second = words.number("fps", 30, 0.01, 600);
   require_encoders(files);
@@ -238,7 +244,7 @@ FilmOutcome write_film(SceneFilm& film, const std::string& identity, const FilmF
   if (film.frame_count() == 0) throw WriteError("there is no frame to draw");
   std::optional<PassingFolder> passing;
   std::optional<fs::path> folder = files.frames;
-  if (!folder && (files.gif || files.webp)) folder = passing.emplace().path();
+  if (!folder && (files.gif || files.mp4 || files.webp)) folder = passing.emplace().path();
   const Json note = {{"film", identity},
                      {"frames", film.frame_count()},
                      {"frames_per_second", files.frames_per_second},

@@ -16,13 +16,14 @@ struct FilmFiles {
   std::optional<std::filesystem::path> frames = {};  // a folder of its own
   std::optional<std::filesystem::path> apng = {};
   std::optional<std::filesystem::path> gif = {};
+  std::optional<std::filesystem::path> mp4 = {};
   std::optional<std::filesystem::path> webp = {};
   double frames_per_second = 30;
 
-  bool any() const { return frames || apng || gif || webp; }
+  bool any() const { return frames || apng || gif || mp4 || webp; }
 };
 
-/// --frames, --fps, --apng, --gif, --webp.
+/// --frames, --fps, --apng, --gif, --mp4, --webp.
 List<Flag> film_flags();
 
 /// @throws UsageError; render::WriteError where a program that is needed is not to be found, before any work

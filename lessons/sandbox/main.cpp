@@ -23,7 +23,7 @@ using namespace cairn::sandbox;
 
 int complain(int code, const std::string& message) {
   std::fflush(stdout);
-  fmt::print(stderr, "{}\n", excerpt(message, longest_message));
+  fmt::print(stderr, "{}", fitted(excerpt(message, longest_message) + "\n", width_of_stream(stderr)));
   return code;
 }
 

@@ -42,6 +42,32 @@ Json asked_json(const RunJudgement& judgement) {
   return asked;
 }
 
+Json measures_json(const SceneEntry& scene, const SceneRun& run) {
+  const TrialResult& result = run.result;
+  return {{"time_s", result.seconds},
+          {"steps", result.steps},
+          {"step_ms", 1e3 * result.step_seconds / std::max(1, result.steps)},
+          {"step_ms_median", 1e3 * result.median_step},
+          {"step_ms_slowest", 1e3 * result.slowest_step},
+          {"setup_ms", 1e3 * result.setup_seconds},
+          {"row_updates", result.row_updates},
+          {"unfinished_steps", result.unfinished_steps},
+          {"unfinished_residual", result.unfinished_residual},
+          {"last_residual", result.worst_residual ? Json(*result.worst_residual) : Json(nullptr)},
+          {"penetration_m", result.worst_penetration},
+          {"penetration_worst", worst_json(scene, result.worst_penetration, result.penetration_worst)},
+          {"drift_m_or_rad", result.worst_drift},
+          {"drift_worst", worst_json(scene, result.worst_drift, result.drift_worst)},
+          {"of_body", result.of_body()},
+          {"jitter_m_s", result.jitter},
+          {"energy_scale_J", result.energy_scale},
+          {"energy_gain", result.energy_gain},
+          {"energy_loss", result.energy_loss},
+          {"farthest_m", result.farthest},
+          {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
+          {"places", places_json(scene, run)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
@@ -58,28 +84,7 @@ nlohmann::ordered_json run_json(const SceneEntry& scene, const SceneRun& run) {
     json["reason"] = result.reason;
     return json;
   }
-  json.update({{"time_s", result.seconds},
-               {"steps", result.steps},
-               {"step_ms", 1e3 * result.step_seconds / std::max(1, result.steps)},
-               {"step_ms_median", 1e3 * result.median_step},
-               {"step_ms_slowest", 1e3 * result.slowest_step},
-               {"setup_ms", 1e3 * result.setup_seconds},
-               {"row_updates", result.row_updates},
-               {"unfinished_steps", result.unfinished_steps},
-               {"unfinished_residual", result.unfinished_residual},
-               {"last_residual", result.worst_residual ? Json(*result.worst_residual) : Json(nullptr)},
-               {"penetration_m", result.worst_penetration},
-               {"penetration_worst", worst_json(scene, result.worst_penetration, result.penetration_worst)},
-               {"drift_m_or_rad", result.worst_drift},
-               {"drift_worst", worst_json(scene, result.worst_drift, result.drift_worst)},
-               {"of_body", result.of_body()},
-               {"jitter_m_s", result.jitter},
-               {"energy_scale_J", result.energy_scale},
-               {"energy_gain", result.energy_gain},
-               {"energy_loss", result.energy_loss},
-               {"farthest_m", result.farthest},
-               {"stands_s", scene.expectations.stands ? Json(result.stands_until) : Json(nullptr)},
-               {"places", places_json(scene, run)}});
+  json.update(measures_json(scene, run));
   json.update(occurrences_json(scene, run.occurrences));
   json.update({{"asked", asked_json(run.judgement)},
                {"missed", run.judgement.missed()},

@@ -5,6 +5,7 @@
 #include <cairn/math/list.hpp>
 #include "render/matrix.hpp"
 #include "render/plot.hpp"
+#include "render/solver_style.hpp"
 #include <cairn/solvers/system_matrix.hpp>
 
 namespace cairn::sandbox {
@@ -28,7 +29,8 @@ render::Plot residual_plot(const StepView& view, const render::Theme& theme) {
   render::Plot plot{.title = "What each sweep leaves",
                     .x = {.title = "sweep"},
                     .y = {.title = "R_{E}", .scale = render::AxisScale::logarithmic}};
-  render::Series series{.name = view.setting.solver, .style = theme.si};
+  render::Series series{.name = view.setting.solver,
+                        .style = render::style_of_solver(theme, view.setting.solver)};
   for (const SweepRecord& sweep : view.sweeps) {
     series.x.push_back(sweep.sweep);
     series.y.push_back(sweep.residual_energy);

@@ -6,7 +6,6 @@
 #include "lessons/sandbox/charts.hpp"
 #include "render/plot.hpp"
 #include "render/solver_style.hpp"
-#include "render/svg.hpp"
 
 namespace cairn::sandbox {
 namespace {
@@ -52,15 +51,16 @@ render::Plot plot_of(const List<const Track*>& tracks, const List<double>& times
 
 }  // namespace
 
-std::string draw_tracks(const TrackChart& chart, const render::Theme& theme, bool as_svg) {
+std::string draw_tracks(const TrackChart& chart, const render::Theme& theme,
+                        const std::optional<render::Letters>& svg) {
   const List<List<const Track*>> panels = panels_of(chart.tracks);
   if (panels.empty() || panels.size() > most_panels)
     throw render::RenderError(
         fmt::format("a chart of tracks takes 1 to {} panels, of {} curves of one unit each, got {}",
                     most_panels, most_curves, panels.size()));
   render::Page page(1280, static_cast<int>(panel_height * panels.size() + 2 * margin), theme);
-  render::SvgDrawing drawing;
-  if (as_svg) page.canvas().record(&drawing);
+  render::SvgDrawing drawing(svg.value_or(render::Letters::outlines));
+  if (svg) page.canvas().record(&drawing);
   page.begin({.number = "", .title = chart.title, .state = chart.state});
   const render::Rect area = page.area();
   const double height = area.height / panels.size();
@@ -68,7 +68,7 @@ std::string draw_tracks(const TrackChart& chart, const render::Theme& theme, boo
     const render::Rect rect = {area.x, area.y + i * height, area.width, height - 8};
     draw_plot(page, rect, plot_of(panels[i], chart.times, theme));
   }
-  if (!as_svg) {
+  if (!svg) {
     const List<std::uint8_t> bytes = render::encode_png(page.canvas().read());
     return {bytes.begin(), bytes.end()};
   }

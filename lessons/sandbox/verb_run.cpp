@@ -43,17 +43,21 @@ void check_track_words(const Words& words, const std::string& csv) {
   if (words.has("track") && csv.empty() && !words.has("plot"))
     throw UsageError("cairn run: --track needs --csv or --plot to say where its numbers go");
   if (words.has("plot") && !words.has("track")) throw UsageError("cairn run: --plot needs --track");
+  if (words.has("text") && !words.text("plot").value_or("").ends_with(".svg"))
+    throw UsageError("cairn run: --text needs --plot with a name that ends in .svg");
   if (words.has("every") && (!words.has("track") || csv.empty()))
     throw UsageError("cairn run: --every is of the rows of --csv, where there is --track");
 }
 
-void write_plot(const SceneEntry& scene, const SceneRun& run, const std::string& path,
-                const render::Theme& theme, Console& console) {
+void write_plot(const Words& words, const SceneEntry& scene, const SceneRun& run, const std::string& path,
+                Console& console) {
   const TrackChart chart{.title = unmarked(scene.name + ": " + scene.title),
                          .state = setting_text(run.setting),
                          .tracks = run.tracks->tracks(),
                          .times = run.tracks->times()};
-  write_whole_file(path, draw_tracks(chart, theme, path.ends_with(".svg")));
+  std::optional<render::Letters> svg;
+  if (path.ends_with(".svg")) svg = words.has("text") ? render::Letters::text : render::Letters::outlines;
+  write_whole_file(path, draw_tracks(chart, theme_of(words), svg));
   console.narrate(fmt::format("written: {}", path));
 }
 
@@ -85,7 +89,7 @@ int run_run(const Words& words, Console& usual_console) {
   }
   if (!words.has("json")) print_run(scene, run, console);
   if (!csv.empty()) write_series(run, every, csv, console);
-  if (const auto plot = words.text("plot")) write_plot(scene, run, *plot, theme_of(words), console);
+  if (const auto plot = words.text("plot")) write_plot(words, scene, run, *plot, console);
   if (files.any()) {
     SceneFilm film(scene, runs, look);
     const FilmOutcome outcome = write_film(film, film_identity(scene, runs, look, files.frames_per_second),
@@ -123,7 +127,8 @@ Verb run_verb() {
                          "energy; * is any name; track.md has them all",
                          true},
                         {"every", "STEPS", "a row of --csv for so many steps (1)"},
-                        {"plot", "FILE", "what --track follows as a chart, .png or .svg"}})),
+                        {"plot", "FILE", "what --track follows as a chart, .png or .svg"},
+                        {"text", "", "in an .svg text that can be searched and edited, not outlines"}})),
       .examples = {"run stack", "run chain-bob --solver si:20 --substeps 4",
                    "run arch --frames out/arch --show loads --theme dark",
                    "run puck --apng puck.png --show trails --seconds 2s",

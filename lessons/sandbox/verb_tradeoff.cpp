@@ -105,6 +105,30 @@ int run_tradeoff(const Words& words, Console& console) {
   return all_well;
 }
 
+List<Flag> tradeoff_flags() {
+  return joined_flags(
+      {{"level", "1|2|3",
+        "one step, whole runs (as the scene asks for; --all: both), or with --all the map of settings"},
+       {"all", "", "the whole study: all scenes of the level, or of both; no chart"},
+       {"quick", "", "a coarse grid: a minute instead of many"},
+       {"solvers", "NAME,NAME", "the first four get a curve", true},
+       {"work", "WHAT",
+        "updates or time (level 1: updates, and of times the steady ones; level 2: time of a frame)"},
+       {"error", "WHAT",
+        "level 1: R_E or E_M; level 2: expect, formula, body, penetration, drift, energy, jitter or "
+        "exact"},
+       {"start", "WHICH", "level 1: cold or warm, in the chart (cold)"},
+       {"scalar", "WHICH", "level 1: double or float, in the chart (double)"},
+       {"labels", "", "writes the settings beside the points that nothing beats"},
+       {"theme", "WHICH", "light or dark (light)"},
+       {"out", "DIR", "for SCENE.csv, .json, .png (or profile.png) and the journal (out/tradeoff)"},
+       {"shard", "k/n", "does the k-th of n parts only"},
+       {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
+       {"table", "FILE", "level 3: draws and prints this table of an earlier run"},
+       {"list", "", "what can be compared"}},
+      search_flags());
+}
+
 }  // namespace
 
 Verb tradeoff_verb() {
@@ -125,27 +149,7 @@ Verb tradeoff_verb() {
           "Several scenes: what more sweeps of one solver buy in each. Level 3 is the "
           "map of settings: 1472 of them in 83 scenes, each with its error and its counted work. It can be "
           "stopped and taken up again.",
-      .flags = joined_flags(
-          {{"level", "1|2|3",
-            "one step, whole runs (as the scene asks for; --all: both), or with --all the map of settings"},
-           {"all", "", "the whole study: all scenes of the level, or of both; no chart"},
-           {"quick", "", "a coarse grid: a minute instead of many"},
-           {"solvers", "NAME,NAME", "the first four get a curve", true},
-           {"work", "WHAT",
-            "updates or time (level 1: updates, and of times the steady ones; level 2: time of a frame)"},
-           {"error", "WHAT",
-            "level 1: R_E or E_M; level 2: expect, formula, body, penetration, drift, energy, jitter or "
-            "exact"},
-           {"start", "WHICH", "level 1: cold or warm, in the chart (cold)"},
-           {"scalar", "WHICH", "level 1: double or float, in the chart (double)"},
-           {"labels", "", "writes the settings beside the points that nothing beats"},
-           {"theme", "WHICH", "light or dark (light)"},
-           {"out", "DIR", "for SCENE.csv, .json, .png (or profile.png) and the journal (out/tradeoff)"},
-           {"shard", "k/n", "does the k-th of n parts only"},
-           {"merge", "FILE,FILE", "puts the journals of parts together instead of running", true},
-           {"table", "FILE", "level 3: draws and prints this table of an earlier run"},
-           {"list", "", "what can be compared"}},
-          search_flags()),
+      .flags = tradeoff_flags(),
       .examples = {"tradeoff stack10 --quick", "tradeoff pendulum-150 --labels",
                    "tradeoff pyramid --solvers si,wide,wide-accelerated --contact-search when-moved",
                    "tradeoff --all --level 1 --shard 1/4"},

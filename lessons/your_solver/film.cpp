@@ -158,7 +158,7 @@ void write_film(const std::string& theme, const std::string& title, const std::f
   for (int i = 0; i < pictures.count(); ++i) {
     render::Image image = pictures.draw(i);
     frames.add(image);
-    moving.add(std::move(image));
+    moving.add(image);
   }
   frames.finish();
   moving.finish();

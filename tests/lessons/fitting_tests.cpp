@@ -73,6 +73,41 @@ TEST_CASE("heads and numbers end in the same columns when Greek letters are spel
   CHECK(word_ends(lines[0]) == word_ends(lines[1]));
 }
 
+TEST_CASE("one blank behind numbers parts columns, so that heads go where their numbers go") {
+  const std::string table =
+      "name   ms a step row updates  cost\n"
+      "first      0.435        6400     1\n"
+      "next       0.854         640    12\n";
+  CHECK(fitted(table, 24) ==
+        "name   ms a step\nfirst      0.435\nnext       0.854\n"
+        "name  row updates  cost\nfirst        6400     1\nnext          640    12\n");
+}
+
+TEST_CASE("units go below their heads before a table is cut into two") {
+  const std::string table =
+      "row  speed (m/s)  force (N)\n  1       1.2500      12.00\n  2       0.5000      13.00\n";
+  CHECK(fitted(table, 20) == "row  speed force\n     (m/s)   (N)\n  1 1.2500 12.00\n  2 0.5000 13.00\n");
+}
+
+TEST_CASE("a title between the rows of a table does not end it") {
+  const std::string table =
+      "  run        work   error\n  the first title of all\n  short      1.00    2.00\n  longer    10.00   "
+      "20.00\n";
+  CHECK(fitted(table, 22) ==
+        "  run      work  error\n  the first title of\n  all\n  short    1.00   2.00\n  longer  10.00  "
+        "20.00\n");
+}
+
+TEST_CASE("the table of lesson 3 stays whole in a window of 80 columns, also in ASCII") {
+  const Window window("80");
+  for (const char* flag : {"--color=never", "--plain"}) {
+    const std::string text = run_program("lesson03_sequential_impulses", {"--frames", "none", flag}).out;
+    int heads = 0;
+    for (const std::string& line : lines_in(text)) heads += line.rfind("sweep row", 0) == 0 ? 1 : 0;
+    CHECK(heads == 1);
+  }
+}
+
 TEST_CASE("every line of every lesson, of its help and of the lists fits a window of 80 and of 60 columns") {
   for (const char* columns : {"80", "60"}) {
     const Window window(columns);

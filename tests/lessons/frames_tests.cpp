@@ -48,6 +48,18 @@ TEST_CASE("key, all, none and cover choose what they say") {
   CHECK(frames_for("cover") == Chosen{8});
 }
 
+TEST_CASE("a film has every frame of up to 64, and of more every second, with those that are key") {
+  const FrameChoice film = {.kind = FrameChoice::Kind::film};
+  CHECK(frames_for("film").size() == 10);
+  CHECK(chosen_frames(film, {.key = List<bool>(64, false)}).size() == 64);
+  FrameSupply supply = {.key = List<bool>(66, false)};
+  supply.key[7] = true;
+  const Chosen chosen = chosen_frames(film, supply);
+  CHECK(chosen.size() == 33 + 2);  // the even ones, number 7, and the last
+  CHECK(Chosen{chosen.begin() + 3, chosen.begin() + 6} == Chosen{6, 7, 8});
+  CHECK(chosen.back() == 65);
+}
+
 TEST_CASE("a choice of frames that cannot be read is refused") {
   for (const char* text :
        {"", "0", "first", "1:", ":3", "1:0", "1:5:0", "1:5:-1", "1:2:3:4", "1.5", "3-5", "KEY"}) {

@@ -173,8 +173,8 @@ TEST_CASE("Ctrl-C during a check ends the exercise with all that it has started,
                  "setsid sh -c 'echo $$ > left; exec sleep 300' &\n"
                  "while ! grep -qs . left; do sleep 0.1; done\n"
                  "echo $$ > own; kill -INT $PPID; sleep 300");
-  const Ran ran =
-      run_program("/bin/bash", {"-c", "cd '" + folder.path() + "' && bin/bin/lessons check 2; echo \"code $?\""});
+  const Ran ran = run_program(
+      "/bin/bash", {"-c", "cd '" + folder.path() + "' && bin/bin/lessons check 2; echo \"code $?\""});
   CHECK(ran.out == "code 130\n");
   CHECK(folder.names() == List<std::string>{"bin", "left", "own"});
   for (const char* file : {"left", "own"}) CHECK(kill(std::stoi(folder.text(file)), 0) != 0);

@@ -52,7 +52,8 @@ TEST_CASE("a chart of tracks is a picture or a drawing") {
   const ScratchFolder folder;
   const std::string png = folder.path() + "/run.png", svg = folder.path() + "/run.svg";
   const auto drawn = [](const std::string& path) {
-    return run_cairn({"run", "chain-bob", "--seconds", "1", "--track", "chain.bob.y,*.1.force", "--plot", path});
+    return run_cairn(
+        {"run", "chain-bob", "--seconds", "1", "--track", "chain.bob.y,*.1.force", "--plot", path});
   };
   CHECK(drawn(png).code == 0);
   CHECK(drawn(svg).code == 0);

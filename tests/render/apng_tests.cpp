@@ -145,6 +145,37 @@ TEST_CASE("what is as before between two changes takes next to nothing") {
         std::filesystem::file_size(folder / "one.png") + 1000);
 }
 
+TEST_CASE("a film with a palette shows its colours, the nearest where it lacks one, in far fewer bytes") {
+  const Image first = picture_of_square(5, 7);
+  Image second = picture_of_square(6, 7);
+  channel_at(second, 63, 35, 0) = 229;  // the palette has 230
+  const TemporaryFolder folder;
+  ColorCount count;
+  count.add(first);
+  ApngWriter writer(folder / "a.png", 2, 10, count.palette(255));
+  writer.add(first);
+  writer.add(second);
+  writer.finish();
+  CHECK(read_png(folder / "a.png").pixels == first.pixels);
+  const List<PngChunk> chunks = png_chunks(text_of_file(folder / "a.png"));
+  List<std::string> names;
+  for (const PngChunk& chunk : chunks) names.push_back(chunk.name);
+  CHECK(names == List<std::string>{"IHDR", "acTL", "PLTE", "tRNS", "fcTL", "IDAT", "fcTL", "fdAT", "IEND"});
+  CHECK(chunks[0].data[9] == 3);                  // indexed colour (ISO/IEC 15948, 11.2.2)
+  CHECK(chunks[3].data == std::string(1, '\0'));  // the first entry lets through what was before
+  // The rectangle of the change is 11 x 10 pixels: in each row the square gains one and loses one.
+  CHECK(number_at(chunks[6].data, 4, 4) == 11);
+  CHECK(number_at(chunks[6].data, 8, 4) == 10);
+  const std::string rows = inflated_bytes(chunks[7].data.substr(4), 10 * (1 + 11));
+  for (std::size_t y = 0; y < 10; ++y) {
+    const std::string row = rows.substr(12 * y + 1, 11);
+    CHECK(row.substr(1, 9) == std::string(9, '\0'));
+    const auto entry = [&](char c) { return chunks[2].data.substr(3 * static_cast<std::size_t>(c), 3); };
+    CHECK(entry(row[0]) == "\xE6\xE6\xE6");
+    CHECK(entry(row[10]) == "\x14\xE6\xE6");
+  }
+}
+
 TEST_CASE("the colour that means as before is shown as its neighbour") {
   Image green = flat_picture(2, 1, 9);
   for (int x = 0; x < 2; ++x) {
@@ -166,6 +197,17 @@ TEST_CASE("a picture stays for one over the frame rate, to a hundredth of a fram
       CHECK(1 / frame.delay == doctest::Approx(rate).epsilon(1e-12));
     }
   }
+}
+
+TEST_CASE("a picture that is added several times as one stays that many times as long") {
+  const TemporaryFolder folder;
+  ApngWriter writer(folder / "a.png", 2, 10);
+  writer.add(flat_picture(2, 2, 0), 7);
+  writer.add(flat_picture(2, 2, 1));
+  writer.finish();
+  const Animation animation = animation_in(folder / "a.png");
+  CHECK(animation.frames[0].delay == doctest::Approx(0.7));
+  CHECK(animation.frames[1].delay == doctest::Approx(0.1));
 }
 
 TEST_CASE("an animation of one picture is a picture") {
@@ -191,6 +233,9 @@ TEST_CASE("an animation of nothing, of two sizes or at a rate the format cannot 
   for (const double rate : {0.0, -1.0, 0.001, 656.0, std::numeric_limits<double>::quiet_NaN()}) {
     CHECK(refusal(pair, rate).find("ApngWriter: frames_per_second must be 0.01 to 655 1/s") == 0);
   }
+  CHECK(message_of<std::invalid_argument>([&] {
+          ApngWriter(folder / "a.png", 1, 10, List<std::uint32_t>(256));
+        }) == "ApngWriter: palette must be at most 255 colours, got 256");
   CHECK(std::filesystem::is_empty(folder.path()));
   CHECK_THROWS_AS(write_apng("/dev/null/a.png", pair, 10), WriteError);
 }

@@ -99,14 +99,22 @@ inline std::uint32_t checksum_of(const PngChunk& chunk) {
   return static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(covered.size())));
 }
 
-/// The inverse of zlib's compression, of unfiltered rows of RGB.
+/// The inverse of zlib's compression, of so many bytes.
+inline std::string inflated_bytes(const std::string& compressed, int count) {
+  std::string bytes(static_cast<std::size_t>(count), '\0');
+  uLongf length = bytes.size();
+  const int code =
+      uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
+                 reinterpret_cast<const Bytef*>(compressed.data()), static_cast<uLong>(compressed.size()));
+  if (code != Z_OK || length != bytes.size()) throw std::runtime_error("pixels do not inflate");
+  return bytes;
+}
+
+/// Unfiltered rows of RGB, compressed.
 inline render::Image inflated(int width, int height, const std::string& compressed) {
   const int row = 1 + 3 * width;
-  List<std::uint8_t> rows(row * height);
-  uLongf length = rows.bytes();
-  const auto* const bytes = reinterpret_cast<const Bytef*>(compressed.data());
-  const int code = uncompress(rows.data(), &length, bytes, static_cast<uLong>(compressed.size()));
-  if (code != Z_OK || length != rows.bytes()) throw std::runtime_error("pixels do not inflate");
+  const std::string text = inflated_bytes(compressed, row * height);
+  const List<std::uint8_t> rows(text.begin(), text.end());
   render::Image image{.width = width, .height = height};
   for (int at = 0; at < rows.size(); at += row) {
     if (rows[at] != 0) throw std::runtime_error("a row is filtered");

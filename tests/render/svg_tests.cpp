@@ -13,9 +13,9 @@ int count(const std::string& text, const std::string& part) {
 
 /// What a canvas of 200 x 100 px draws by `draw`, as a file.
 template <typename Draw>
-std::string drawn(const Draw& draw) {
+std::string drawn(const Draw& draw, Letters letters = Letters::outlines) {
   Canvas canvas(200, 100);
-  SvgDrawing drawing;
+  SvgDrawing drawing(letters);
   canvas.record(&drawing);
   canvas.clear(rgb(0xFFFFFF));
   draw(canvas);
@@ -72,6 +72,58 @@ TEST_CASE("each sign has its outline once, and stands once for each time that it
   CHECK(count(file, "<path id=\"g") == 2);
   CHECK(count(file, "<use ") == 4 + 2 * 2);  // the halo is a layer of its own
   CHECK(file.find("translate(10 20)") != std::string::npos);
+}
+
+TEST_CASE("text is text where that is asked for, as wide as it is drawn") {
+  const TextStyle style{.size = 16, .color = rgb(0), .bold = true};
+  double width = 0;
+  const std::string file = drawn(
+      [&](Canvas& canvas) {
+        canvas.text({10, 20}, "a < b", style);
+        width = canvas.text_width("a < b", style);
+      },
+      Letters::text);
+  CHECK(count(file, "<use") == 0);
+  CHECK(count(file, "<path") == 0);
+  CHECK(file.find("<text xml:space=\"preserve\" fill=\"#000000\" x=\"10\" y=\"20\" "
+                  "font-family=\"DejaVu Sans, Verdana, Helvetica, sans-serif\" font-weight=\"bold\" "
+                  "font-size=\"16\" textLength=\"") != std::string::npos);
+  CHECK(file.find(">a &lt; b</text>") != std::string::npos);
+  const std::size_t length = file.find("textLength=\"") + 12;
+  CHECK(std::stod(file.substr(length)) == doctest::Approx(width).epsilon(0.001));
+}
+
+TEST_CASE("scripts are parts of their text, smaller and beside the base line, and a halo is no second text") {
+  const std::string file = drawn(
+      [](Canvas& canvas) {
+        canvas.text(
+            {100, 20}, "λ_{rel}^2 = \xFF",
+            {.size = 20, .color = rgb(0), .mono = true, .align = Align::right, .halo = rgb(0xFFFFFF)});
+      },
+      Letters::text);
+  CHECK(count(file, "<text ") == 1);
+  CHECK(count(file, "<tspan ") == 4);
+  CHECK(file.find("stroke=\"#ffffff\"") < file.find("paint-order=\"stroke\""));
+  CHECK(count(file, "font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\"") == 4);
+  std::string text;  // without marks
+  for (std::size_t at = file.find("<text "), end = file.find("</text>"); at < end; ++at) {
+    if (file[at] == '<') at = file.find('>', at);
+    if (file[at] != '>') text += file[at];
+  }
+  CHECK(text == "λrel2 = \uFFFD");
+  CHECK(count(file, "font-size=\"15.6\"") == 2);  // 0.78 em
+}
+
+TEST_CASE("a drawing of text forgets its shapes, and not that it is one of text") {
+  const std::string file = drawn(
+      [](Canvas& canvas) {
+        canvas.text({10, 20}, "earlier", {.size = 16, .color = rgb(0)});
+        canvas.clear(rgb(0xFFFFFF));
+        canvas.text({10, 20}, "later", {.size = 16, .color = rgb(0)});
+      },
+      Letters::text);
+  CHECK(file.find("earlier") == std::string::npos);
+  CHECK(file.find(">later</text>") != std::string::npos);
 }
 
 TEST_CASE("a clip holds what is drawn between push and pop") {

@@ -175,6 +175,37 @@ TEST_CASE("bytes that are not UTF-8 become replacement signs and lose nothing el
   CHECK(code_points("\xE2\x82z") == U"\xFFFD\xFFFDz");
 }
 
+TEST_CASE("variables are slanted; words, names, units and numbers are upright") {
+  const auto slanted = [](std::string_view markup, bool is_formula) {
+    std::string signs;
+    for (const PlacedGlyph& placed : lay_out(markup, 20, Face::regular, is_formula).glyphs)
+      if (placed.name.slanted) signs += placed.sign;
+    return signs;
+  };
+  CHECK(slanted("v_{rel} of a box a", false) == "v");
+  CHECK(slanted("λ_{i} = 2 N", false) == "λi");
+  CHECK(slanted("R_{E}, Δt (s), step_1", false) == "Rt");
+  CHECK(slanted("5 mm, μs, Σ λ", false) == "λ");
+  CHECK(slanted("t (s)", false) == "t");
+  CHECK(slanted("pull a (box)", false).empty());
+  CHECK(slanted("v ← v + g Δt,  then  y ← y + v_{y} Δt", true) == "vvgtyyvyt");
+  CHECK(slanted("j M⁻¹ jᵀ = max(0, 1/m_{corr})", true) == "jMjm");
+  CHECK(slanted("v_{y} = −2.40 m/s", true) == "vy");
+}
+
+TEST_CASE("a slanted sign leans to the right about its middle, and takes as much room as the upright one") {
+  const GlyphLine upright = lay_out("l", 40, Face::regular), leaning = lay_out("l", 40, Face::regular, true);
+  CHECK(leaning.width == upright.width);
+  GlyphAtlas atlas(1);
+  const Glyph* const straight = atlas.find({.name = upright.glyphs[0].name, .size = 40});
+  const Glyph* const slanted = atlas.find({.name = leaning.glyphs[0].name, .size = 40});
+  CHECK(slanted->height == straight->height);
+  // An l is as high as 0.76 em and leans by a fifth of it: six pixels.
+  CHECK(slanted->width - straight->width >= 5);
+  CHECK(slanted->width - straight->width <= 7);
+  CHECK(slanted->left < straight->left);
+}
+
 TEST_CASE("a text box holds all the ink, is as wide as the text and no higher than need be") {
   Canvas canvas(200, 100);
   for (const std::string_view markup : {"Hqy_{pq}", "λ^{2}", "a b", "‖v‖"}) {
