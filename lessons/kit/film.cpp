@@ -168,6 +168,7 @@ class FilmMaker {
       written_.insert(file);
       index_["frames"].push_back({{"file", file},
                                   {"frame", wanted[done] + 1},
+                                  {"key", shot.key},
                                   {"state", shot.state},
                                   {"alt", shot.alt},
                                   {"words", words_drawn()}});
