@@ -101,7 +101,7 @@ end
 
 local teachers_begin = [[<h1>Notes for teachers</h1>
 <p>Minutes, misconceptions and what to draw on the board: a page for each lesson. <code>bash lessons/run handouts</code>
-makes all lessons one PDF for print.</p>
+makes PDFs for print, one of all lessons and one of each; the answers stand at their ends.</p>
 <ul>
 ]]
 

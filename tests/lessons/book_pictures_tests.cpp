@@ -70,4 +70,21 @@ TEST_CASE(
   CHECK(bytes < 1'500'000);
 }
 
+TEST_CASE("handouts are one small file of all lessons, and one of each, which is tagged") {
+  const ScratchFolder scratch;
+  const std::string driver = driver_apart(scratch, "tree", {"lesson06_sequential_impulses"});
+  const Ran ran = run_program(driver, {"handouts", scratch.path() + "/out/all.pdf"});
+  if (ran.code == 3) {
+    MESSAGE("nothing can be printed here: " << ran.err);
+    return;
+  }
+  CAPTURE(ran.err);
+  REQUIRE(ran.code == 0);
+  CHECK(scratch.names("out") == List<std::string>{"all.pdf", "all_06.pdf"});
+  const std::string all = scratch.text("out/all.pdf"), one = scratch.text("out/all_06.pdf");
+  CHECK(one.find("/StructTreeRoot") != std::string::npos);
+  CHECK(all.find("/StructTreeRoot") == std::string::npos);
+  CHECK(all.size() < 10'000'000 / 20);  // there are some twenty lessons
+}
+
 }  // namespace cairn::testing
