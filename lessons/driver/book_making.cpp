@@ -26,7 +26,7 @@ using Words = List<std::string>;
 constexpr const char* playground_file = "out/playground/index.html";
 
 /// Of the pictures of a page in one theme: with its text it has a tenth more.
-constexpr std::uintmax_t most_bytes = 1'400'000;
+constexpr std::uintmax_t most_bytes = 1'360'000;
 
 fs::path lesson_out(const Program& program, const Workshop& shop, const std::string& theme) {
   return shop.work / (program.name + "_" + theme);
