@@ -253,6 +253,7 @@ function text.html(markdown, places)
   html = html:gsub("%(?<math>.-</math>[,.;:?)]*", function(formula)
     return not formula:find("</math>$") and "<span class=\"together\">" .. formula .. "</span>" or nil
   end)
+  html = html:gsub("<th([^>]*)></th>", "<td%1></td>")  -- the corner of a table is no head
   return text.with_terms(html, places.terms)
 end
 

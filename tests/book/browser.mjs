@@ -39,7 +39,10 @@ async function open(browser, options) {
   const troubles = [];
   tab.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
   tab.on("pageerror", (error) => troubles.push(error.message));
-  tab.on("requestfailed", (request) => troubles.push("cannot load " + request.url()));
+  tab.on("requestfailed", (request) => {
+    const isLeft = request.failure()?.errorText === "net::ERR_ABORTED"; // the page, before a picture had come
+    if (!isLeft) troubles.push("cannot load " + request.url());
+  });
   tab.on("request", (request) => {
     if (!/^(file|data):/.test(request.url())) troubles.push("asks for " + request.url());
   });
