@@ -59,24 +59,44 @@ int make_book(const Context& context, const fs::path& folder, const Words& flags
   return book.all_held ? 0 : 1;
 }
 
-/// Chromium prints the page that has all lessons.
+/// Chromium prints a page. Only one that is tagged says to a screen reader what is a heading and what a list,
+/// but that is a quarter of its bytes.
+/// @throws ProgramFailed
+void print_page(const std::string& browser, const fs::path& page, const fs::path& print, bool is_tagged) {
+  Words command = {browser,
+                   "--headless",
+                   "--no-sandbox",
+                   "--disable-gpu",
+                   "--no-pdf-header-footer",
+                   "--user-data-dir=" + (page.parent_path() / "browser").string(),
+                   "--print-to-pdf=" + print.string()};
+  if (!is_tagged) command.push_back("--disable-pdf-tagging");
+  command.push_back("file://" + page.string());
+  const ProcessResult printed = run_quietly(command);
+  require_uninterrupted();
+  if (printed.code != 0 || !fs::exists(print))
+    throw ProgramFailed("chromium cannot print " + page.filename().string() + ":\n" + printed.output,
+                        cannot_make);
+}
+
+/// One file of all lessons, and beside it one of each: handouts.pdf, handouts_06.pdf.
 int make_handouts(const Context& context, const fs::path& file, const std::string& browser) {
   Console console(context.settings);
   const WorkFolder work(fs::absolute(file).parent_path());
-  const Workshop shop = {.book = work.path / "book", .work = work.path / "runs", .has_handouts = true};
-  const fs::path print = work.path / "handouts.pdf";
+  const Workshop shop = {.book = work.path / "book", .work = work.path / "runs", .is_for_print = true};
   const BookSize book = make_pages(context, shop);
-  const ProcessResult printed =
-      run_quietly({browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
-                   "--user-data-dir=" + (shop.book / "browser").string(), "--print-to-pdf=" + print.string(),
-                   "file://" + (shop.book / "handouts.html").string()});
-  require_uninterrupted();
-  if (printed.code != 0 || !fs::exists(print)) {
-    console.warn("lessons: chromium cannot print " + file.string() + ":\n" + printed.output);
-    return cannot_make;
+  List<std::string> ends = {""};  // of the names of the files
+  for (const Program& program : built(context.programs)) ends.push_back("_" + two_digits(program.number));
+  Progress progress(context.settings, "files", ends.size());
+  for (const std::string& end : ends) {
+    const std::string page = end.empty() ? "handouts.html" : "handout" + end.substr(1) + ".html";
+    print_page(browser, shop.book / page, work.path / ("handouts" + end + ".pdf"), !end.empty());
+    progress.advance(static_cast<int>(&end - ends.data()) + 1);
   }
-  move_to(print, file);
-  console.result(fmt::format("{} lessons: {}", book.lessons, file.string()));
+  for (const std::string& end : ends)
+    move_to(work.path / ("handouts" + end + ".pdf"),
+            file.parent_path() / (file.stem().string() + end + ".pdf"));
+  console.result(fmt::format("{} lessons: {}, and beside it a file for each", book.lessons, file.string()));
   return book.all_held ? 0 : 1;
 }
 
@@ -119,7 +139,9 @@ int made_or_refused(Console& console, const fs::path& place, const std::function
 int handouts(const Context& context, const Words& words) {
   Console console(context.settings);
   if (asks_for_help(words)) {
-    console.result("lessons handouts [FILE (out/handouts.pdf)]: all lessons as one PDF for print");
+    console.result(
+        "lessons handouts [FILE (out/handouts.pdf)]: all lessons as one PDF for print, and beside it one of\n"
+        "each lesson, such as out/handouts_06.pdf; the answers stand at the end");
     return 0;
   }
   const fs::path file = words.empty() ? "out/handouts.pdf" : words.front();

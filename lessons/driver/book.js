@@ -53,28 +53,71 @@
     element.scrollIntoView({ block: "start" });
   }
 
-  // The page ends at its question until somebody has guessed. The guess stands beside the answer, also next time.
+  // Numbers between commas, also 1/3; null where one is none.
+  function numbersIn(words) {
+    const number = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
+    const numbers = words.replace(/\u2212/g, "-").split(",").map((word) => {
+      const parts = word.trim().split("/");
+      return parts.length > 2 || !parts.every((part) => number.test(part)) ? NaN : parts[0] / (parts[1] ?? 1);
+    });
+    return numbers.every(Number.isFinite) ? numbers : null;
+  }
+  // Four digits, as the lessons print them.
+  function shortNumber(number) {
+    const size = Math.abs(number);
+    if (size > 0 && (size < 1e-3 || size >= 1e5)) return number.toExponential(1).replace("-", "\u2212");
+    return String(Number(number.toPrecision(4))).replace("-", "\u2212");
+  }
+  const listed = (numbers) => numbers.map(shortNumber).join(", ");
+
+  // What the lesson would say of a guess: right where it is as near as the lesson asks, or is printed alike; a wrong
+  // one that many make is told why.
+  function judged(guess, { right, tolerance, explanation, wrong }) {
+    const told = listed(right) + ". " + explanation;
+    if (guess.length !== right.length) {
+      return `Not yet: you said ${listed(guess)}, and the question asks for ${
+        right.length === 1 ? "1 number" : right.length + " numbers"}. It is ${told}`;
+    }
+    const isRight = (number, i) =>
+      Math.abs(number - right[i]) <= tolerance || shortNumber(number) === shortNumber(right[i]);
+    if (guess.every(isRight)) return `Right, you said ${listed(guess)}. It is ${told}`;
+    const isAmong = ({ least, most }) =>
+      least.length === guess.length && guess.every((number, i) => number >= least[i] && number <= most[i]);
+    const why = wrong.find(isAmong)?.why;
+    return `Not yet: you said ${listed(guess)}. ${why ? why + " " : ""}It is ${told}`;
+  }
+
+  // The page ends at its question until somebody has guessed. What comes of the guess stands beside the answer, also
+  // next time.
   function setUpFold(fold) {
     const form = document.querySelector(".guess");
     const field = form.querySelector("input");
+    const verdict = form.querySelector(".verdict");
+    const right = JSON.parse(form.dataset.answer);
     const answer = fold.querySelector("h2");
     const page = location.pathname.split("/").pop();
     const note = document.createElement("p");
     note.className = "guessed";
     answer.after(note);
     const compare = () => {
-      note.textContent = field.value ? "Your guess: " + field.value : "";
-      note.hidden = !field.value;
+      const guess = numbersIn(field.value);
+      verdict.textContent = field.value.trim() === ""
+        ? "Type a number first, however rough: then the answer opens."
+        : "That is no number: a comma stands between numbers, a point before decimals.";
+      verdict.hidden = guess !== null;
+      note.textContent = guess && right.right ? judged(guess, right) : "";
+      note.hidden = note.textContent === "";
+      return guess !== null;
     };
     field.value = guessOf(page);
-    compare();
     fold.classList.add("works");
-    fold.open = field.value !== "";
+    fold.open = compare();
+    verdict.hidden = true;
     form.hidden = false;
     form.addEventListener("submit", (event) => {
       event.preventDefault();
+      if (!compare()) return field.focus();
       keep("cairn-guess-" + page, field.value);
-      compare();
       fold.open = true;
       answer.tabIndex = -1;
       answer.focus();
@@ -96,8 +139,13 @@
     let timer = 0;
     let isDescribed = false;
 
+    // A frame is fetched before its turn comes.
+    function fetchFrame(item) {
+      for (const image of item?.querySelectorAll("img") ?? []) image.loading = "eager";
+    }
     function show(index) {
       at = Math.min(Math.max(index, 0), last);
+      for (const near of [at, at + 1, at - 1]) fetchFrame(items[near]);
       items.forEach((item, i) => item.classList.toggle("shown", i === at));
       const words = items[at].querySelector("figcaption");
       caption.innerHTML = words.innerHTML;
@@ -116,7 +164,7 @@
     function choose(index) {
       stop();
       show(index);
-      spoken.textContent = items[at].querySelector("img").alt;
+      spoken.textContent = [...items[at].querySelectorAll("img")].map((image) => image.alt).join("");
       history.replaceState(null, "", "#" + items[at].id);
     }
     function fillScreen() {
@@ -172,7 +220,7 @@
       const body = text.toLowerCase();
       // "warmstart" is found where "warm start" stands.
       const inOne = (head + " " + body).replace(/[\s-]+/g, "");
-      const has = (word) => head.includes(word) || body.includes(word) || (word.length > 5 && inOne.includes(word));
+      const has = (word) => head.includes(word) || body.includes(word) || (word.length > 5 && inOne.includes(word.replace(/-/g, "")));
       if (!words.every(has)) continue;
       const isTerm = heading.toLowerCase() === words.join(" ") ? 1000 : 0;
       const score = words.reduce((sum, word) => sum + (head.includes(word) ? 20 : 0) + body.split(word).length, isTerm);

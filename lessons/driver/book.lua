@@ -69,7 +69,7 @@ end
 
 local equations_begin = [[<h1>Equations</h1>
 <p>The equations, the algorithm and the claims of the paper, and the lessons that show them.</p>
-<div class="table" role="region" aria-label="Table" tabindex="0">
+<div class="table" role="group" aria-label="Table" tabindex="0">
 <table><thead><tr><th>Paper</th><th>What it says</th><th>Where</th></tr></thead>
 <tbody>
 ]]
@@ -101,7 +101,7 @@ end
 
 local teachers_begin = [[<h1>Notes for teachers</h1>
 <p>Minutes, misconceptions and what to draw on the board: a page for each lesson. <code>bash lessons/run handouts</code>
-makes all lessons one PDF for print.</p>
+makes PDFs for print, one of all lessons and one of each; the answers stand at their ends.</p>
 <ul>
 ]]
 
@@ -222,10 +222,10 @@ local function parted(html)
   return asked, behind
 end
 
--- Every lesson on one page, for paper: first all questions, then all answers.
-local function handouts_page(bodies)
+-- Some lessons on one page, for paper: first all questions, then all answers.
+local function handouts_page(lessons, bodies, title)
   local list, all, answers = "", "", ""
-  for _, lesson in ipairs(book.lessons) do
+  for _, lesson in ipairs(lessons) do
     list = list .. ("<li><a href=\"#%s\">%s</a><br>%s</li>\n"):format(
       lesson.page, escaped(lesson.title), escaped(lesson.idea))
     local stem = lesson.page:gsub("%..*", "-")
@@ -234,9 +234,9 @@ local function handouts_page(bodies)
     all = all .. "<article id=\"" .. lesson.page .. "\">\n" .. asked .. "</article>\n"
     answers = answers .. filled_answer(lesson, behind)
   end
+  local front = #lessons > 1 and text.filled(handouts_begin, { list = list }) or ""
   return parts.page({
-    title = "Cairn: handouts", description = "All lessons on one page, for print.", kind = "lesson handouts",
-    body = text.filled(handouts_begin, { list = list }) .. all .. answers,
+    title = title .. " · Cairn", description = "For print.", kind = "lesson handouts", body = front .. all .. answers,
   })
 end
 
@@ -274,7 +274,12 @@ local function write_book()
     title = "Search · Cairn", description = "A search over all pages of the lesson book.", kind = "reference",
     body = search_body, scripts = "<script src=\"search.js\"></script>\n",
   })
-  if book.has_handouts then pages["handouts.html"] = handouts_page(bodies) end
+  if book.is_for_print then
+    pages["handouts.html"] = handouts_page(book.lessons, bodies, "Handouts")
+    for _, lesson in ipairs(book.lessons) do
+      pages[("handout%02d.html"):format(lesson.number)] = handouts_page({ lesson }, bodies, parts.numbered(lesson))
+    end
+  end
   for name, html in pairs(pages) do write(name, html) end
   for _, name in ipairs({ "book.css", "book.js" }) do write(name, parts.read(source .. name)) end
 end

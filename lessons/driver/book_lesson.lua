@@ -31,21 +31,33 @@ function parts.link(lesson, words, relation)
   return "<a href=\"" .. lesson.page .. "\"" .. rel .. ">" .. escaped(words or parts.numbered(lesson)) .. "</a>"
 end
 
--- A frame in two themes.
-function parts.picture(lesson, frame)
-  return filled([[<picture><source media="screen and (prefers-color-scheme: dark)" srcset="frames/{dark}">]] ..
-    [[<img src="frames/{light}" width="{width}" height="{height}" alt="{alt}"></picture>]], {
-      dark = frame.dark, light = frame.light, width = lesson.width, height = lesson.height, alt = escaped(frame.alt),
+-- One picture in its themes. One that is lazy is fetched when it is first shown.
+local function layer(lesson, frame, alt, is_lazy)
+  local dark = [[<source media="screen and (prefers-color-scheme: dark)" srcset="frames/{dark}">]]
+  return filled("<picture>" .. (frame.dark and dark or "") ..
+    [[<img src="frames/{light}" width="{width}" height="{height}" alt="{alt}"{lazy}></picture>]], {
+      dark = frame.dark, light = frame.light, width = lesson.width, height = lesson.height, alt = escaped(alt),
+      lazy = is_lazy and " loading=\"lazy\"" or "",
     })
+end
+
+local function frame_of(lesson, number)
+  for _, frame in ipairs(lesson.frames) do
+    if frame.frame == number then return frame end
+  end
+end
+
+-- A frame: one picture, or what differs from another one, upon that.
+function parts.picture(lesson, frame, is_lazy)
+  local top = layer(lesson, frame, frame.alt, is_lazy)
+  if frame.base == frame.frame then return top end
+  return "<span class=\"layers\">" .. layer(lesson, frame_of(lesson, frame.base), "", is_lazy) .. top .. "</span>"
 end
 
 -- The frame that stands for a lesson, or its first; nil where there is none.
 function parts.cover_of(lesson)
   local number = lesson.cover < 0 and lesson.frames_in_all + 1 + lesson.cover or lesson.cover
-  for _, frame in ipairs(lesson.frames) do
-    if frame.frame == number then return frame end
-  end
-  return lesson.frames[1]
+  return frame_of(lesson, number) or lesson.frames[1]
 end
 
 function parts.cover_figure(lesson)
@@ -53,9 +65,10 @@ function parts.cover_figure(lesson)
   return cover and "<figure class=\"cover\">" .. parts.picture(lesson, cover) .. "</figure>" or ""
 end
 
-local frame_item = [[<li id="frame-{number}"><figure>{picture}
+local frame_title = [[<a href="#frame-{number}">Frame {number} of {all}</a>{state}]]
+local frame_item = [[<li id="frame-{number}"{class}><figure>{picture}
 <figcaption>
-<p><a href="#frame-{number}">Frame {number} of {all}</a>{state}</p>
+<p>{title}</p>
 <details><summary>What it shows</summary><p>{words}</p></details>
 </figcaption></figure></li>
 ]]
@@ -79,14 +92,32 @@ local others_note = [[<p class="note">{shown} of {all} frames; <code>bash lesson
 the others too.</p>
 ]]
 
+local function title_of(lesson, frame)
+  return filled(frame_title, {
+    number = frame.frame, all = lesson.frames_in_all,
+    state = frame.state ~= "" and " · " .. text.prose(frame.state) or "",
+  })
+end
+
+-- What a line <!-- frame: 5 --> of a lesson's text stands for: that frame, where the text speaks of it.
+local function frame_beside(lesson, number)
+  if number > lesson.frames_in_all then
+    error(("%s: <!-- frame: %d -->, and it has %d frames"):format(lesson.folder, number, lesson.frames_in_all))
+  end
+  local frame = frame_of(lesson, number)
+  return frame and filled([[<figure class="beside">{picture}<figcaption>{title}</figcaption></figure>]], {
+    picture = parts.picture(lesson, frame, true), title = title_of(lesson, frame),
+  }) or ""
+end
+
 local function player(lesson)
   local shown, all = #lesson.frames, lesson.frames_in_all
   if shown == 0 then return "" end
   local items = ""
   for _, frame in ipairs(lesson.frames) do
     items = items .. filled(frame_item, {
-      number = frame.frame, picture = parts.picture(lesson, frame), all = all, words = (text.prose(frame.alt)),
-      state = frame.state ~= "" and " · " .. text.prose(frame.state) or "",
+      number = frame.frame, picture = parts.picture(lesson, frame, true), words = (text.prose(frame.alt)),
+      title = title_of(lesson, frame), class = frame.key and " class=\"key\"" or "",
     })
   end
   local note = shown < all and filled(others_note, { shown = shown, all = all, number = lesson.number }) or ""
@@ -120,9 +151,20 @@ local function with_addition(html, section, title, addition, is_first)
   return html:sub(1, at) .. "\n" .. addition .. html:sub(at + 1)
 end
 
-local fold_begin = [[<form class="guess" hidden>
-<label>Your guess <input name="guess" autocomplete="off"></label>
+-- Puts the section with the playground where a line <!-- in your hand --> says that one can press along.
+local function with_hand(html)
+  local from, behind = html:match("()<h2 id=\"in%-your%-hand\">.-()<h2")
+  local mark = "<!-- in your hand -->"
+  local at = html:find(mark, 1, true)
+  if not at then return html end
+  if not from then return html:sub(1, at - 1) .. html:sub(at + #mark) end
+  return html:sub(1, at - 1) .. html:sub(from, behind - 1) .. html:sub(at + #mark, from - 1) .. html:sub(behind)
+end
+
+local fold_begin = [[<form class="guess" hidden data-answer="{answer}">
+<label>Your guess <input name="guess" autocomplete="off" aria-describedby="verdict"></label>
 <button>Go on</button>
+<p class="verdict" id="verdict" role="status"></p>
 </form>
 <details class="fold"><summary>Go on to the answer</summary>
 <nav class="sections" aria-label="On this page">
@@ -132,14 +174,14 @@ local fold_begin = [[<form class="guess" hidden>
 ]]
 
 -- Closes everything behind the question. What is there is listed there: headings tell, too.
-local function folded(html)
+local function folded(html, answer)
   local asked, behind = html:match("^(.-)<!%-%- fold %-%->(.*)$")
   if not asked then return html end
   local links = ""
   for anchor, title in behind:gmatch("<h2 id=\"([^\"]*)\">(.-)</h2>") do
     links = links .. "<li><a href=\"#" .. anchor .. "\">" .. escaped(text.without_tags(title)) .. "</a></li>\n"
   end
-  return asked .. filled(fold_begin, { links = links }) .. behind .. "</details>\n"
+  return asked .. filled(fold_begin, { links = links, answer = escaped(answer) }) .. behind .. "</details>\n"
 end
 
 function parts.places(more)
@@ -154,13 +196,14 @@ function parts.lesson_body(lesson)
   local markdown = parts.of_the_lessons(lesson.folder .. "/README.md") or "# " .. parts.numbered(lesson)
   local html = text.html(markdown, parts.places({
     cover = parts.cover_figure(lesson), files = { ["exercise.cpp"] = "#exercise.cpp" },
+    frame = function(number) return lesson.frames_in_all and frame_beside(lesson, number) or "" end,
   }))
   html = "<p class=\"kicker\">" .. escaped(lesson.paper) .. "</p>\n" ..
     html:gsub("</h1>", function(tag) return tag .. "\n<p class=\"idea\">" .. text.prose(lesson.idea) .. "</p>" end, 1)
   html = with_addition(html, "What to look at", "The frames", player(lesson), true)
   html = with_addition(html, "Run it", "What it prints", console(lesson))
   html = with_addition(html, "Your turn", "The exercise", exercise(lesson))
-  return folded(html)
+  return folded(with_hand(html), lesson.answer or "{}")
 end
 
 function parts.teaching_page(lesson) return ("teaching%02d.html"):format(lesson.number) end

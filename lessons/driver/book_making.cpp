@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -11,6 +13,7 @@
 #include "lessons/driver/exercises.hpp"
 #include "lessons/driver/interruption.hpp"
 #include "lessons/driver/process.hpp"
+#include "lessons/driver/small_pictures.hpp"
 #include <cairn/measure/whole_file.hpp>
 
 namespace cairn::driver {
@@ -22,13 +25,18 @@ using Words = List<std::string>;
 /// Where `lessons/run playground` puts it.
 constexpr const char* playground_file = "out/playground/index.html";
 
+/// Of the pictures of a page in one theme: with its text it has a tenth more.
+constexpr std::uintmax_t most_bytes = 1'360'000;
+
 fs::path lesson_out(const Program& program, const Workshop& shop, const std::string& theme) {
   return shop.work / (program.name + "_" + theme);
 }
 
 ProcessResult run_in_theme(const Program& program, const Workshop& shop, const std::string& theme) {
-  Words command = {program.path.string(), "--checks", "--color", "never",
-                   "--progress",          "never",    "--size",  "large"};
+  Words command = {program.path.string(), "--checks", "--color", "never", "--progress", "never"};
+  const Words pictures =
+      shop.is_for_print ? Words{"--frames", "key", "--format", "svg"} : Words{"--frames", "all"};
+  command.insert(command.end(), pictures.begin(), pictures.end());
   command.insert(command.end(), shop.flags.begin(), shop.flags.end());
   command.insert(command.end(), {"--theme", theme, "--out", lesson_out(program, shop, theme).string()});
   const ProcessResult result = run_quietly(command);
@@ -59,14 +67,72 @@ nlohmann::json read_json(const fs::path& file) {
   return nlohmann::json::parse(stream, nullptr, false);
 }
 
-/// Moves one picture into the book and returns its name there.
-std::string taken_in(const Workshop& shop, const Program& program, const std::string& theme,
-                     const nlohmann::json& frame) {
-  const std::string name =
-      fmt::format("lesson{}_{:04}_{}.png", two_digits(program.number), frame.at("frame").get<int>(), theme);
-  const std::string file = frame.at("file");
-  fs::rename(lesson_out(program, shop, theme) / file, shop.book / "frames" / name);
-  return name;
+/// "lesson06_0001_light.png".
+std::string picture_name(const Program& program, int frame, const std::string& theme, const fs::path& file) {
+  return fmt::format("lesson{}_{:04}_{}{}", two_digits(program.number), frame, theme,
+                     file.extension().string());
+}
+
+/// Those of the frames that a page shows: key frames, those that show an item of the paper, and of the others
+/// each that comes after so many.
+nlohmann::json chosen_frames(const nlohmann::json& frames, const nlohmann::json& covers, int stride) {
+  nlohmann::json chosen = nlohmann::json::array();
+  int others = 0;
+  for (const nlohmann::json& frame : frames) {
+    const bool is_needed = frame.at("key").get<bool>() ||
+                           std::any_of(covers.begin(), covers.end(), [&](const nlohmann::json& shown) {
+                             return shown == frame.at("frame");
+                           });
+    if (is_needed || others++ % stride == 0) chosen.push_back(frame);
+  }
+  return chosen;
+}
+
+List<FilmPicture> film_of(const Workshop& shop, const Program& program, const nlohmann::json& frames,
+                          const std::string& theme) {
+  List<FilmPicture> film;
+  for (const nlohmann::json& frame : frames) {
+    const std::string file = frame.at("file");
+    const std::string name = picture_name(program, frame.at("frame"), theme, file);
+    film.push_back({.from = lesson_out(program, shop, theme) / file,
+                    .to = shop.book / "frames" / name,
+                    .is_key = frame.at("key")});
+  }
+  return film;
+}
+
+/// So many of the frames that the page is not too heavy, small, in both themes: and below each the frame that
+/// it lies upon, or itself.
+nlohmann::json small_frames(const Workshop& shop, const Program& program, const nlohmann::json& all,
+                            const nlohmann::json& covers) {
+  nlohmann::json frames;
+  SmallFilm made{.bytes = most_bytes + 1};
+  for (int stride = 1; made.bytes > most_bytes && stride <= static_cast<int>(all.size());) {
+    for (const FilmPicture& picture : film_of(shop, program, frames, "light")) fs::remove(picture.to);
+    frames = chosen_frames(all, covers, stride);
+    made = make_small(film_of(shop, program, frames, "light"));
+    stride += std::max(1, static_cast<int>(made.bytes / most_bytes));
+    require_uninterrupted();
+  }
+  make_small(film_of(shop, program, frames, "dark"), made.bases);
+  for (int i = 0; i < made.bases.size(); ++i) {
+    nlohmann::json& frame = frames[static_cast<std::size_t>(i)];
+    frame["base"] = frames[static_cast<std::size_t>(made.bases[i])].at("frame");
+    for (const char* theme : {"light", "dark"})
+      frame[theme] = picture_name(program, frame.at("frame"), theme, frame.at("file").get<std::string>());
+  }
+  return frames;
+}
+
+/// As they are, in one theme.
+nlohmann::json printed_frames(const Workshop& shop, const Program& program, nlohmann::json frames) {
+  for (const FilmPicture& picture : film_of(shop, program, frames, "light"))
+    fs::rename(picture.from, picture.to);
+  for (nlohmann::json& frame : frames) {
+    frame["base"] = frame.at("frame");
+    frame["light"] = picture_name(program, frame.at("frame"), "light", frame.at("file").get<std::string>());
+  }
+  return frames;
 }
 
 void take_frames(const Workshop& shop, const Program& program, nlohmann::json& lesson) {
@@ -77,10 +143,9 @@ void take_frames(const Workshop& shop, const Program& program, nlohmann::json& l
   lesson["frames_in_all"] = index.at("frames_of_the_sequence");
   lesson["width"] = record.at("width");
   lesson["height"] = record.at("height");
-  for (nlohmann::json frame : index.at("frames")) {
-    for (const char* theme : {"light", "dark"}) frame[theme] = taken_in(shop, program, theme, frame);
-    lesson["frames"].push_back(frame);
-  }
+  lesson["answer"] = record.at("answer").dump();
+  lesson["frames"] = shop.is_for_print ? printed_frames(shop, program, index.at("frames"))
+                                       : small_frames(shop, program, index.at("frames"), lesson.at("covers"));
 }
 
 /// By item, the first frame that shows it; 0 where the text does.
@@ -93,7 +158,7 @@ nlohmann::json covers_of(const Program& program) {
 /// What book.lua has to know of a lesson beside its texts.
 nlohmann::json facts_of(const Workshop& shop, const Program& program, BookSize& size) {
   const ProcessResult result = run_in_theme(program, shop, "light");
-  run_in_theme(program, shop, "dark");
+  if (!shop.is_for_print) run_in_theme(program, shop, "dark");
   size.all_held = size.all_held && result.code != 1;
   const LessonInfo& card = program.card;
   const fs::path folder = lesson_folder(program);
@@ -109,7 +174,7 @@ nlohmann::json facts_of(const Workshop& shop, const Program& program, BookSize& 
                            {"has_stage", fs::exists(folder.parent_path() / "your_solver/stages" /
                                                     (two_digits(program.number) + ".txt"))}};
   take_frames(shop, program, lesson);
-  size.pictures += 2 * static_cast<int>(lesson["frames"].size());
+  size.pictures += (shop.is_for_print ? 1 : 2) * static_cast<int>(lesson["frames"].size());
   return lesson;
 }
 
@@ -152,7 +217,7 @@ BookSize make_pages(const Context& context, const Workshop& shop) {
                                               {"folder", shop.book.string()},
                                               {"lessons_folder", lessons_folder().string()},
                                               {"has_playground", has_playground},
-                                              {"has_handouts", shop.has_handouts}}));
+                                              {"is_for_print", shop.is_for_print}}));
   const ProcessResult made = run_quietly({"pandoc", "--from", "gfm", "--to", "plain", "--lua-filter",
                                           (lessons_folder() / "driver/book.lua").string(), "--metadata",
                                           "facts=" + facts.string(), "--output", "/dev/null", "/dev/null"});

@@ -14,7 +14,8 @@ struct Workshop {
   std::filesystem::path book = {};  // until it is whole
   std::filesystem::path work = {};  // where the lessons leave their files
   List<std::string> flags = {};     // for every lesson
-  bool has_handouts = false;        // also a page that has all lessons, for print: handouts.html
+  bool is_for_print = false;        // of key frames that paper shows sharp, and with pages for paper:
+                                    // handouts.html has all lessons, handout06.html one
 };
 
 /// The exit code where something is missing that the pages need.

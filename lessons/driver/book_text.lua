@@ -149,9 +149,13 @@ local function block_filter_for(places)
       return header
     end,
     Para = function(para) return paragraph(para, places) end,
-    RawBlock = function(block) return block.text:find("^<picture>") and raw(places.cover or "") or nil end,
+    RawBlock = function(block)
+      local frame = block.text:match("^<!%-%- frame: (%d+) %-%->")
+      if frame then return raw(places.frame(tonumber(frame))) end
+      return block.text:find("^<picture>") and raw(places.cover or "") or nil
+    end,
     Table = function(rows)
-      return { raw("<div class=\"table\" role=\"region\" aria-label=\"Table\" tabindex=\"0\">"), rows, raw("</div>") }
+      return { raw("<div class=\"table\" role=\"group\" aria-label=\"Table\" tabindex=\"0\">"), rows, raw("</div>") }
     end,
   }
 end
@@ -230,6 +234,7 @@ end
 --   pages   "03_sequential_impulses" -> "lesson03.html"
 --   files   shown on this page: "exercise.cpp" -> "#exercise.cpp"; files that are quoted come to it here
 --   cover   HTML that stands for every picture of the text
+--   frame   HTML that stands for a frame, by its number
 --   symbols of formulas, and terms: where they are explained
 function text.html(markdown, places)
   for file, name in markdown:gmatch("<!%-%- source: (%S+) (.-) %-%->") do
@@ -248,6 +253,7 @@ function text.html(markdown, places)
   html = html:gsub("%(?<math>.-</math>[,.;:?)]*", function(formula)
     return not formula:find("</math>$") and "<span class=\"together\">" .. formula .. "</span>" or nil
   end)
+  html = html:gsub("<th([^>]*)></th>", "<td%1></td>")  -- the corner of a table is no head
   return text.with_terms(html, places.terms)
 end
 

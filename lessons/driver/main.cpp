@@ -38,8 +38,8 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run cairn       the program for scenes of your own: cairn run FILE.toml
 
   run [N] [flags]   list   next   check N|--all   hint N [1-3]   solution N   progress
-  book [DIR]        text, code, output and pictures of all lessons; flags follow: --frames all
-  handouts [FILE]   all lessons as one PDF for print, out/handouts.pdf; needs chromium
+  book [DIR]        text, code, output and pictures of all lessons; flags follow: --frames key
+  handouts [FILE]   a PDF of all lessons for print, out/handouts.pdf, and one of each; needs chromium
   legend            what colours, dashes and markers mean
   coverage          what of the paper is met, shown or mentioned in which lesson
   doctor            whether pictures can be drawn here

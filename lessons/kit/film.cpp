@@ -190,6 +190,7 @@ class FilmMaker {
     written_.insert(file);
     index_["frames"].push_back({{"file", file},
                                 {"frame", index + 1},
+                                {"key", shot.key},
                                 {"state", shot.state},
                                 {"alt", shot.alt},
                                 {"words", words_drawn()}});

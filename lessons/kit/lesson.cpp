@@ -188,6 +188,7 @@ void Lesson::answer(const List<double>& right, double tolerance, std::string_vie
   const Options& options = state_->options;
   const bool is_asked = !state_->info.question.empty();
   if (options.answer) state_->guess = options.answer;
+  if (is_asked) state_->record.answer = {right, tolerance, std::string(explanation)};
   const std::string told = numbers_text(right) + "   " + std::string(explanation);
   Console& console = state_->console;
   const int width = page_width(console);

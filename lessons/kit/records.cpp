@@ -23,6 +23,23 @@ Json flags_json(const LessonInfo& info, const Options& options) {
   return flags;
 }
 
+Json array_of(const List<double>& numbers) {
+  Json array = Json::array();
+  for (const double number : numbers) array.push_back(number);
+  return array;
+}
+
+/// With the wrong guesses that are known, so that a page judges a guess as the lesson does.
+Json answer_json(const LessonInfo& info, const AnswerRecord& answer) {
+  Json wrong = Json::array();
+  for (const WrongGuess& guess : info.wrong)
+    wrong.push_back({{"least", array_of(guess.least)}, {"most", array_of(guess.most)}, {"why", guess.why}});
+  return {{"right", array_of(answer.right)},
+          {"tolerance", answer.tolerance},
+          {"explanation", answer.explanation},
+          {"wrong", wrong}};
+}
+
 }  // namespace
 
 std::string json_of(const CsvTable& table) {
@@ -60,6 +77,7 @@ std::string run_json(const LessonInfo& info, const Options& options, const RunRe
                     {"pictures", record.film.pictures},
                     {"backend", record.film.backend},
                     {"claims", claims},
+                    {"answer", answer_json(info, record.answer)},
                     {"state", record.fingerprint}};
   return run.dump(2) + "\n";
 }

@@ -15,8 +15,16 @@ namespace cairn {
 std::string json_of(const CsvTable& table);
 std::string csv_of(const CsvTable& table);
 
-/// The flags, claims, state and pictures of a run: the same run gives the same text.
+/// What a lesson answers to its question; no numbers where none was asked.
+struct AnswerRecord {
+  List<double> right = {};
+  double tolerance = 0;
+  std::string explanation = {};
+};
+
+/// The flags, claims, answer, state and pictures of a run: the same run gives the same text.
 struct RunRecord {
+  AnswerRecord answer = {};
   List<Claim> claims = {};
   std::string fingerprint = {};  // "" without one
   FilmReport film = {};

@@ -115,6 +115,9 @@ int cairn_add_box(double x, double y, double width, double height) {
 int cairn_add_ball(double x, double y, double radius) {
   return done([&](Playground& p) { p.add_ball({x, y}, radius); });
 }
+int cairn_add_walls(void) {
+  return done([](Playground& p) { p.add_walls(picture().room()); });
+}
 int cairn_add_rope(int body_a, double ax, double ay, int body_b, double bx, double by) {
   return done([&](Playground& p) { p.add_rope({body_a}, {ax, ay}, {body_b}, {bx, by}); });
 }

@@ -70,6 +70,8 @@ void cairn_let_go(void);
 int cairn_add_box(double x, double y, double width, double height);
 /** Puts a ball of this radius [m] there. */
 int cairn_add_ball(double x, double y, double radius);
+/** Puts walls on all sides of what the picture shows of the scene: one body, the newest. */
+int cairn_add_walls(void);
 /** Puts a rope of links between two points [m], pinned to a body at each; 0 is the ground. */
 int cairn_add_rope(int body_a, double ax, double ay, int body_b, double bx, double by);
 /** Takes a body out, with all that is fastened to it. */

@@ -53,6 +53,8 @@ class Picture {
   PictureSpot at(const Playground& playground, const render::Point& place) const;
   /// Where a point of the scene [m] is on it.
   render::Point place(const Vec2<double>& point) const;
+  /// The part of the scene that it shows, but for a narrow border [m].
+  Aabb<double> room() const;
   /// What was drawn.
   render::Page& page() { return *page_; }
 

@@ -10,6 +10,7 @@ namespace cairn::playground {
 namespace {
 
 constexpr double least_zoom = 1.0 / 32, most_zoom = 64;
+constexpr double border = 0.015;  // of the picture's width and height
 
 }  // namespace
 
@@ -40,6 +41,13 @@ void Picture::pan(const render::Point& by) {
   const Vec2<double> way = Vec2<double>(-by.x(), by.y()) / cameras_[0].scale;  // [m]
   shift_ += way;
   for (render::Camera& each : cameras_) each.center += way;
+}
+
+Aabb<double> Picture::room() const {
+  if (cameras_.empty()) return {};
+  const render::Rect& view = cameras_[0].viewport;
+  const Vec2<double> half = (0.5 - border) * Vec2<double>(view.width, view.height) / cameras_[0].scale;
+  return {cameras_[0].center - half, cameras_[0].center + half};
 }
 
 void Picture::show_all() {

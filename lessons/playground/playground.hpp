@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include <cairn/geometry/aabb.hpp>
 #include <cairn/math/list.hpp>
 #include "lessons/playground/bench.hpp"
 #include "lessons/playground/controls.hpp"
@@ -78,6 +79,8 @@ class Playground {
   void add_box(const Vec2<double>& middle, const Vec2<double>& size);
   /// A disc of this radius [m].
   void add_ball(const Vec2<double>& middle, double radius);
+  /// Walls on all sides of a room [m]. They are one body, which does not move.
+  void add_walls(const Aabb<double>& room);
   /// A rope of short links between two points [m], pinned to a body at each; both may be the ground.
   void add_rope(BodyId a, const Vec2<double>& from, BodyId b, const Vec2<double>& to);
   void remove(BodyId body);
@@ -165,7 +168,8 @@ class Playground {
   void forget_look() const { looks_.clear(); }
   void forget_solve();
   std::string unused_name(const std::string& kind) const;
-  void add_body(const std::string& kind, const std::string& shape, const Vec2<double>& middle);
+  void add_body(const std::string& kind, const std::string& shape, const Vec2<double>& middle,
+                const std::string& words);
   void require_bodies(const char* act, std::initializer_list<BodyId> bodies) const;
   Vec2<double> point_in_file(BodyId body, const Vec2<double>& point) const;
   std::string step_words() const;

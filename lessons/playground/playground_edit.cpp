@@ -25,6 +25,8 @@ constexpr double shortest_rope = 0.05, longest_rope = 100;
 constexpr int most_links = 24;
 constexpr int rope_density = 4;  // [kg/m^2] so that a link is not too light for what hangs from it
 
+constexpr double wall_thickness = 0.5;  // times the longer side of the room, so that nothing comes through
+
 std::optional<BodyId> body_named(const PerBody<std::string>& names, const std::string& name) {
   for (const BodyId body : names.indices()) {
     if (names[body] == name) return body;
@@ -102,7 +104,8 @@ std::string Playground::unused_name(const std::string& kind) const {
   }
 }
 
-void Playground::add_body(const std::string& kind, const std::string& shape, const Vec2<double>& middle) {
+void Playground::add_body(const std::string& kind, const std::string& shape, const Vec2<double>& middle,
+                          const std::string& words) {
   const std::string name = unused_name(kind);
   const std::string table =
       fmt::format("\n[[body]]\nname = \"{}\"\n{}\nposition = {}\n", name, shape, point_text(middle));
@@ -110,15 +113,33 @@ void Playground::add_body(const std::string& kind, const std::string& shape, con
   const BodySpec spec = with_body.make().bodies()[body_named(with_body.body_names, name).value()].spec;
   PerBody<std::string> names = names_;
   names.push_back(name);
-  edit(table, fmt::format("A {} more: {}.", kind, name), names, [&](Scene& scene) { scene.add(spec); });
+  edit(table, words + ": " + name + ".", names, [&](Scene& scene) { scene.add(spec); });
 }
 
 void Playground::add_box(const Vec2<double>& middle, const Vec2<double>& size) {
-  add_body("box", "box = " + point_text(size), middle);
+  add_body("box", "box = " + point_text(size), middle, "A box more");
 }
 
 void Playground::add_ball(const Vec2<double>& middle, double radius) {
-  add_body("ball", "circle = " + shortest(radius), middle);
+  add_body("ball", "circle = " + shortest(radius), middle, "A ball more");
+}
+
+void Playground::add_walls(const Aabb<double>& room) {
+  require_finite(room.lower, "walls", "room", "m");
+  require_finite(room.upper, "walls", "room", "m");
+  const Vec2<double> size = room.upper - room.lower;
+  require(size.x() > 0 && size.y() > 0, "walls", "room", "of a width and a height above 0 m",
+          point_text(size));
+  const double thick = wall_thickness * size.maxCoeff();
+  const Vec2<double> away = (size + Vec2<double>(thick, thick)) / 2;  // of a wall from the middle
+  const auto wall = [](double width, double height, double x, double y) {
+    return fmt::format("  {{ box = {}, offset = {} }},\n", point_text({width, height}), point_text({x, y}));
+  };
+  const std::string shapes = wall(thick, size.y(), -away.x(), 0) + wall(thick, size.y(), away.x(), 0) +
+                             wall(size.x() + 2 * thick, thick, 0, -away.y()) +
+                             wall(size.x() + 2 * thick, thick, 0, away.y());
+  add_body("walls", "type = \"static\"\nshapes = [\n" + shapes + "]", (room.lower + room.upper) / 2,
+           "Walls around what is seen");
 }
 
 void Playground::require_bodies(const char* act, std::initializer_list<BodyId> bodies) const {

@@ -5,9 +5,12 @@ import { existsSync, mkdirSync, readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { brokenPictures, overflow, paleText, playerState } from "./in_page.mjs";
+import { brokenPictures, fetchShown, overflow, paleText, playerState } from "./in_page.mjs";
+import { checkReaders } from "./reader.mjs";
 
-const { chromium } = createRequire(join(process.cwd(), "book"))("playwright-core");
+const fetched = createRequire(join(process.cwd(), "book"));
+const { chromium } = fetched("playwright-core");
+const axe = fetched.resolve("axe-core/axe.min.js");
 
 const book = resolve(process.argv[2] ?? "out/book");
 const screenshots = process.argv[3] && resolve(process.argv[3]);
@@ -36,7 +39,10 @@ async function open(browser, options) {
   const troubles = [];
   tab.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
   tab.on("pageerror", (error) => troubles.push(error.message));
-  tab.on("requestfailed", (request) => troubles.push("cannot load " + request.url()));
+  tab.on("requestfailed", (request) => {
+    const isLeft = request.failure()?.errorText === "net::ERR_ABORTED"; // the page, before a picture had come
+    if (!isLeft) troubles.push("cannot load " + request.url());
+  });
   tab.on("request", (request) => {
     if (!/^(file|data):/.test(request.url())) troubles.push("asks for " + request.url());
   });
@@ -48,6 +54,16 @@ const unfold = (tab) => tab.evaluate(() => {
   for (const fold of document.querySelectorAll("details.fold")) fold.open = true;
 });
 
+// What axe-core knows of WCAG and of good practice, with all that is folded open. Frames of other pages are theirs.
+async function checkAccess(tab, where) {
+  await tab.addScriptTag({ path: axe });
+  const broken = await tab.evaluate(async () => {
+    const { violations } = await globalThis.axe.run({ exclude: [["iframe"]] }, { preload: false });
+    return violations.map(({ id, nodes }) => `${id} ${nodes.length} ${nodes[0].html.slice(0, 60)}`).join("; ");
+  });
+  check(broken === "", `${where}: axe finds nothing`, broken);
+}
+
 async function checkLooks(browser) {
   for (const theme of themes) {
     for (const width of widths) {
@@ -57,11 +73,13 @@ async function checkLooks(browser) {
         const where = `${name} at ${width} px, ${theme}`;
         await tab.goto(address(name));
         await unfold(tab);
+        await tab.evaluate(fetchShown);
         const wide = await tab.evaluate(overflow);
         check(wide === "", `${where}: nothing overflows`, wide);
         check(await tab.evaluate(brokenPictures, theme) === 0, `${where}: pictures load, in the theme, with alt text`);
         const pale = await tab.evaluate(paleText);
         check(pale === "", `${where}: text stands out`, pale);
+        if (width === widths[0]) await checkAccess(tab, where);
         if (screenshots) {
           await tab.screenshot({ path: join(screenshots, `${name.replace(".html", "")}_${width}_${theme}.png`), fullPage: true });
         }
@@ -198,6 +216,7 @@ async function checkTheme(browser) {
   await tab.goto(address(lessons[0]));
   // A picture changes its source some time after the theme.
   const areThere = async (theme) => {
+    await tab.evaluate(fetchShown);
     for (let i = 0; i < 50 && await tab.evaluate(brokenPictures, theme) > 0; ++i) await tab.waitForTimeout(100);
     return await tab.evaluate(brokenPictures, theme) === 0;
   };
@@ -264,6 +283,10 @@ try {
   for (const name of new Set([lessons[0], lessons.at(-1)])) await checkPlayer(browser, name);
   await checkEnlarging(browser, lessons.at(-1));
   for (const name of pages.filter(hasFold).slice(0, 1)) await checkFold(browser, name);
+  const { context, tab, troubles } = await open(browser, {});
+  await checkReaders(tab, book, lessons, check);
+  check(troubles.length === 0, "guesses, search and print work without an error", troubles.join("; "));
+  await context.close();
   await checkSearch(browser);
   await checkTheme(browser);
   await checkKeyboard(browser, lessons.at(-1));

@@ -13,9 +13,19 @@ export const overflow = () => {
   return wide.map((element) => element.tagName + "." + element.className).slice(0, 3).join(" ");
 };
 
+// Pictures further down are fetched when somebody comes there.
+export const fetchShown = () => Promise.all([...document.images]
+  .filter((image) => image.getClientRects().length > 0)
+  .map((image) => {
+    image.loading = "eager";
+    return image.decode().catch(() => {});
+  }));
+
+// Of two that lie upon each other the upper one says what both show.
 export const brokenPictures = (theme) => [...document.images].filter((image) => {
   const isShown = image.getClientRects().length > 0;
-  return !image.alt || (isShown && (!image.naturalWidth || !image.currentSrc.includes(`_${theme}.png`)));
+  const isBelow = image.matches(".layers > picture:first-child > img");
+  return Boolean(image.alt) === isBelow || (isShown && (!image.naturalWidth || !image.currentSrc.includes(`_${theme}.png`)));
 }).length;
 
 // Text against what is behind it: at least 4.5 : 1 (WCAG 2.2, 1.4.3).

@@ -139,6 +139,43 @@ TEST_CASE("what leaves the ground lands on the floor below it") {
   CHECK(of_body(3, 1) == doctest::Approx(-3 + 0.5).epsilon(0.02));
 }
 
+TEST_CASE("walls keep in what flies, stand in the text, and go again") {
+  const std::string text = R"(title = "a ball that flies"
+gravity = [0, 0]
+[[body]]
+name = "ball"
+circle = 0.5
+velocity = [60, 45]
+restitution = 1
+[recommended]
+substeps = 1
+)";
+  cairn::playground::Playground free, walled;
+  free.open(text, "scene");
+  walled.open(text, "scene");
+  walled.add_walls({{-4, -3}, {6, 5}});
+  CHECK(walled.names().back() == "walls-1");
+  const auto ball = [](const auto& played) { return played.bench(0).snapshot().bodies[{1}]; };
+  free.step(60);
+  CHECK(ball(free).pose.position.x() == doctest::Approx(60));
+  for (int i = 0; i < 600; ++i) {
+    walled.step(1);
+    const cairn::Vec2<double> at = ball(walled).pose.position;
+    REQUIRE((at.x() > -3.5 - 0.05 && at.x() < 5.5 + 0.05 && at.y() > -2.5 - 0.05 && at.y() < 4.5 + 0.05));
+  }
+  CHECK(ball(walled).velocity.head<2>().norm() > 1);  // it flies on
+  cairn::playground::Playground again;
+  again.open(walled.text(), "scene");
+  again.step(600);
+  CHECK(fingerprint_of(again.bench(0).snapshot()) == fingerprint_of(walled.bench(0).snapshot()));
+  walled.undo();
+  CHECK(walled.text() == text);
+  CHECK(walled.names().size() == 2);
+  CHECK_THROWS_WITH_AS(walled.add_walls({{1, 0}, {1, 2}}), doctest::Contains("room must be"),
+                       std::invalid_argument);
+  CHECK(walled.text() == text);
+}
+
 TEST_CASE("a scene that nobody touches takes the same steps without that floor") {
   using namespace cairn;
   int scenes = 0;

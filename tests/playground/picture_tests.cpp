@@ -26,6 +26,23 @@ TEST_CASE("the picture is drawn at each size, and what is drawn is found again")
   CHECK(cairn_draw() == 1);
 }
 
+TEST_CASE("walls stand along the border of what is seen, also of a part of the scene") {
+  REQUIRE(cairn_open("[ground]\nhalf_width = 8\n[[stack]]\nn = 2\nbox = [1, 1]\n", "scene") == 1);
+  REQUIRE(cairn_resize(1280, 720, 1) == 1);
+  REQUIRE(cairn_draw() == 1);
+  REQUIRE(cairn_zoom(0.25, 300, 200) == 1);
+  REQUIRE(cairn_draw() == 1);
+  const auto kind = [](double x, double y) { return cairn_at(x, y)[0]; };
+  double left = 0, right = 1280;  // [px] of the scene, at that height
+  while (kind(left, 60) != 1) ++left;
+  while (kind(right, 60) != 1) --right;
+  CHECK(cairn_at(left + 1, 60)[1] == -1);
+  REQUIRE(cairn_add_walls() == 1);
+  REQUIRE(cairn_draw() == 1);
+  for (const double x : {left + 1, right - 1}) CHECK(cairn_at(x, 60)[1] == 3);
+  for (const double share : {0.1, 0.9}) CHECK(cairn_at(left + share * (right - left), 60)[1] == -1);
+}
+
 TEST_CASE("bodies that cannot move are found where no other is, and the ground nowhere") {
   const char* const text = R"(camera = { center = [0, 2], height = 9 }
 

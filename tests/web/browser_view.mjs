@@ -159,19 +159,57 @@ async function checkRowsOfBody(tab) {
   check((await column(tab, 0)).length === (await numbers(tab)).rows, "and a button lists all of them again");
 }
 
-/** Pulled out of the tower and thrown aside, a box lands on the floor under the ground. */
-async function checkFloor(tab) {
-  await tab.evaluate(() => {
+/** Pulls the uppermost box out of the tower, and throws it aside. */
+const throwBox = (tab) =>
+  tab.evaluate(() => {
     cairn.grab(0, 9.5);
     cairn.drag(30, 14);
     cairn.step(120);
     cairn.letGo();
     cairn.step(900);
   });
+
+/** Without walls it lands on the floor under the ground. */
+async function checkFloor(tab) {
+  await throwBox(tab);
   const all = await bodies(tab);
   const lowest = Math.min(...all.map(({ y }) => y));
   check(Math.max(...all.map(({ x }) => x)) > 8.5, "a box leaves the ground");
   check(lowest > -3.2, "and does not fall for ever", String(lowest));
+}
+
+/** Where there are walls it stays in the picture, and so it does where a link, an undo or a step back leads. */
+async function checkWalls(tab) {
+  const isPressed = () => tab.getAttribute("#walls", "aria-pressed");
+  const text = await tab.evaluate(() => cairn.sceneText());
+  await tab.click("#walls");
+  check(/Walls around what is seen/.test(await status(tab)), "Walls puts walls", await status(tab));
+  check((await isPressed()) === "true", "and is pressed then");
+  await tab.click("#link");
+  await throwBox(tab);
+  const outside = await tab.evaluate(() =>
+    cairn.bodies().filter(({ x, y, canMove }) => {
+      const place = cairn.place(x, y);
+      return canMove && cairn.at(place.x, place.y).kind !== "scene";
+    }),
+  );
+  check(outside.length === 0, "a box that is thrown stays in the picture", JSON.stringify(outside));
+  const beside = Math.max(...(await bodies(tab)).map(({ x }) => x));
+  check(beside > 3, "though it left the tower", String(beside));
+  await tab.click("#back");
+  check((await isPressed()) === "true", "a step back keeps the walls");
+  await tab.click("#undo");
+  check((await isPressed()) === "false", "Undo takes them out");
+  check((await tab.evaluate(() => cairn.sceneText())) === text, "also of the text");
+  await goTo(tab, new URL(await tab.evaluate(() => navigator.clipboard.readText())).hash);
+  check((await isPressed()) === "true", "a link holds them");
+  await tab.keyboard.press("w");
+  check((await isPressed()) === "false", "W takes them out");
+  await tab.click("#zoom-out");
+  await drawn(tab);
+  await tab.keyboard.press("w");
+  const { y } = (await bodies(tab)).at(-1);
+  check((await isPressed()) === "true" && Number.isFinite(y), "and puts them around what is seen now");
 }
 
 export async function checkView(browser) {
@@ -185,4 +223,5 @@ export async function checkView(browser) {
   await inTab(browser, "list of rows", scene, checkRows);
   await inTab(browser, "rows of a body", scene, checkRowsOfBody);
   await inTab(browser, "floor", scene, checkFloor);
+  await inTab(browser, "walls", scene, checkWalls);
 }

@@ -29,7 +29,7 @@ async function checkFocus(tab) {
 async function focusCanvas(tab) {
   await tab.evaluate(() => document.activeElement.blur());
   await tab.focus("#restart");
-  for (let i = 0; i < 12 && (await focused(tab)).id !== "cairn"; ++i) await tab.keyboard.press("Shift+Tab");
+  for (let i = 0; i < 20 && (await focused(tab)).id !== "cairn"; ++i) await tab.keyboard.press("Shift+Tab");
   check((await focused(tab)).id === "cairn", "Tab goes to the picture");
 }
 

@@ -171,6 +171,7 @@ export class Core {
   addBall = (x, y, radius) => this.#try("add_ball", x, y, radius);
   /** @type {(a: number, from: {x: number, y: number}, b: number, to: {x: number, y: number}) => boolean} */
   addRope = (a, from, b, to) => this.#try("add_rope", a, from.x, from.y, b, to.x, to.y);
+  addWalls = () => this.#try("add_walls");
   /** @type {(step: number) => boolean} */
   visit = (step) => this.#try("visit", step);
   /** @type {(updates: number) => boolean} */

@@ -24,6 +24,7 @@ const keys = [
   { key: "=", button: "zoom-in" }, // the same key without Shift
   { key: "-", shown: "−", button: "zoom-out", says: "further away" },
   { key: "0", shown: "0", button: "zoom-all", says: "the whole scene" },
+  { key: "w", shown: "W", button: "walls", says: "walls around what is seen, or none" },
   { key: "d", shown: "D", button: "theme", says: "dark or light" },
   { key: "?", shown: "?", button: "keys", says: "these keys" },
 ];

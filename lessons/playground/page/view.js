@@ -1,4 +1,4 @@
-// Which part of the scene is seen: wheel, two fingers, keys and buttons make it larger and move it.
+// Which part of the scene is seen, by wheel, two fingers, keys and buttons; and walls around it.
 import { button, find } from "./dom.js";
 import { placeOf } from "./pointer.js";
 
@@ -92,6 +92,18 @@ export class View {
   }
 }
 
+/** Walls on all sides of what is seen: one press puts them there, the next takes them out. @param {App} app */
+function setUpWalls(app) {
+  const { core } = app;
+  const walls = button("walls");
+  const standing = () =>
+    core.bodies().findIndex(({ isThere }, body) => isThere && /^walls-\d+$/.test(core.bodyName(body)));
+  walls.addEventListener("click", () =>
+    app.act(() => (standing() > 0 ? core.remove(standing()) : core.addWalls())),
+  );
+  app.follow(() => void (walls.ariaPressed = String(standing() > 0)));
+}
+
 /** @param {App} app @param {boolean} isEmbedded */
 export function setUpView(app, isEmbedded) {
   const view = new View(app);
@@ -101,5 +113,6 @@ export function setUpView(app, isEmbedded) {
   button("zoom-in").addEventListener("click", () => view.zoom(aPress));
   button("zoom-out").addEventListener("click", () => view.zoom(1 / aPress));
   button("zoom-all").addEventListener("click", () => view.showAll());
+  setUpWalls(app);
   return view;
 }

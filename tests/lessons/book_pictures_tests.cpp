@@ -1,0 +1,90 @@
+// The pictures of the lesson book: all frames of a lesson, small.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+
+#include "child_lesson.hpp"
+#include <cairn/math/list.hpp>
+#include "render/image.hpp"
+
+namespace cairn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_off = 24;  // of 255, of a colour that has no place among 256
+
+render::Image book_picture(const fs::path& folder, int frame) {
+  char name[32] = {};
+  std::snprintf(name, sizeof(name), "lesson03_%04d_light.png", frame);
+  return render::read_png(folder / "frames" / name);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "without flags every frame is in the book, some as what differs from another, and no page is heavy") {
+  const ScratchFolder scratch, out;
+  const std::string driver = driver_apart(scratch, "tree", {"lesson03_sequential_impulses"});
+  const Ran ran = run_program(driver, {"book", scratch.path() + "/book"});
+  if (ran.code == 3) {
+    MESSAGE("there is no book to look at: " << ran.err);
+    return;
+  }
+  REQUIRE(ran.code == 0);
+  REQUIRE(run_program("lesson03_sequential_impulses", {"--frames", "all", "-o", out.path()}).code == 0);
+  const std::string page = scratch.text("book/lesson03.html");
+  const auto film = nlohmann::json::parse(out.text("frames.json"));
+  const std::regex below("lesson03_([0-9]{4})_light.png\" width=\"1280\" height=\"720\" alt=\"\"");
+  std::uintmax_t bytes = page.size();
+  int differences = 0;
+  for (const auto& frame : film["frames"]) {
+    const int number = frame["frame"];
+    CAPTURE(number);
+    const std::size_t item = page.find("<li id=\"frame-" + std::to_string(number) + "\"");
+    REQUIRE(item != std::string::npos);
+    const std::string markup = page.substr(item, page.find("</li>", item) - item);
+    const render::Image drawn = render::read_png(out.path() + "/" + frame["file"].get<std::string>());
+    const render::Image upper = book_picture(scratch.path() + "/book", number);
+    std::smatch found;
+    const bool differs = std::regex_search(markup, found, below);
+    const render::Image lower =
+        differs ? book_picture(scratch.path() + "/book", std::stoi(found[1].str())) : upper;
+    differences += differs ? 1 : 0;
+    int off = 0;  // of each pixel from one of the two pictures
+    for (int i = 0; i < drawn.pixels.size(); ++i)
+      off = std::max(off, std::min(std::abs(drawn.pixels[i] - upper.pixels[i]),
+                                   std::abs(drawn.pixels[i] - lower.pixels[i])));
+    CHECK(off <= most_off);
+    char name[64] = {};
+    std::snprintf(name, sizeof(name), "book/frames/lesson03_%04d_light.png", number);
+    bytes += fs::file_size(scratch.path() + "/" + name);
+  }
+  CHECK(differences > 10);
+  CHECK(bytes < 1'500'000);
+}
+
+TEST_CASE("handouts are one small file of all lessons, and one of each, which is tagged") {
+  const ScratchFolder scratch;
+  const std::string driver = driver_apart(scratch, "tree", {"lesson03_sequential_impulses"});
+  const Ran ran = run_program(driver, {"handouts", scratch.path() + "/out/all.pdf"});
+  if (ran.code == 3) {
+    MESSAGE("nothing can be printed here: " << ran.err);
+    return;
+  }
+  CAPTURE(ran.err);
+  REQUIRE(ran.code == 0);
+  CHECK(scratch.names("out") == List<std::string>{"all.pdf", "all_03.pdf"});
+  const std::string all = scratch.text("out/all.pdf"), one = scratch.text("out/all_03.pdf");
+  CHECK(one.find("/StructTreeRoot") != std::string::npos);
+  CHECK(all.find("/StructTreeRoot") == std::string::npos);
+  CHECK(all.size() < 10'000'000 / 20);  // there are some twenty lessons
+}
+
+}  // namespace cairn::testing
