@@ -245,14 +245,14 @@ void Canvas::text(const Point& at, std::string_view markup, const TextStyle& sty
     return;
   }
   const double scale = impl_->scale;
-  const GlyphLine line = lay_out(markup, scale * style.size, face_of(style), style.math);
+  const GlyphLine line = lay_out(markup, scale * style.size, face_of(style));
   Point start = scale * at;
   if (style.align != Align::left) {
     start.x() -= style.align == Align::center ? 0.5 * line.width : line.width;
   }
   const int rim = halo_reach(style, scale);
   if (impl_->drawing != nullptr)
-    impl_->drawing->text(start / scale, lay_out(markup, style.size, face_of(style), style.math), rim / scale,
+    impl_->drawing->text(start / scale, lay_out(markup, style.size, face_of(style)), rim / scale,
                          style);
   if (rim > 0) impl_->write(line, start, rim, style.halo);
   const Rect covered = scaled(impl_->write(line, start, 0, style.color), 1 / scale);
@@ -261,7 +261,7 @@ void Canvas::text(const Point& at, std::string_view markup, const TextStyle& sty
 }
 
 double Canvas::text_width(std::string_view markup, const TextStyle& style) const {
-  return drawable(style) ? lay_out(markup, style.size, face_of(style), style.math).width : 0;
+  return drawable(style) ? lay_out(markup, style.size, face_of(style)).width : 0;
 }
 
 void Canvas::push_clip(const Rect& rect) {

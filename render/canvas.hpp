@@ -62,7 +62,6 @@ struct TextStyle {
   bool mono = false;
   Align align = Align::left;
   Color halo = transparent;  // a soft rim behind the glyphs, for text over lines
-  bool math = false;         // a formula: letters that stand alone are variables
 };
 
 /// What was written where: for layout checks that need no golden image.
@@ -119,9 +118,7 @@ class Canvas {
   void hatch(Span<const Point> points, const Stroke& stroke, double pitch);
 
   /// Markup: `v_{rel}` and `x^{2}` (or one character without braces) set sub- and superscripts; `\_` and `\^`
-  /// are literal. Variables are slanted: in every text letters that stand alone before a subscript, behind Δ
-  /// or at its beginning with a unit behind, as in "t (s)", and small Greek ones; in formulas all that stand
-  /// alone. `at` is the baseline at the left end, centre
+  /// are literal. Variables are slanted (render/variables.hpp). `at` is the baseline at the left end, centre
   /// or right end, by style.align.
   void text(const Point& at, std::string_view markup, const TextStyle& style);
   double text_width(std::string_view markup, const TextStyle& style) const;

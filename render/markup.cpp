@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "render/variables.hpp"
+
 namespace cairn::render {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double superscript_drop = -0.36;  // [em]
 constexpr double parting = 0.08;            // [em] that each gives way where one stands above the other
 constexpr int deepest_script = 4;
 constexpr char32_t not_utf8 = 0xFFFD;
-constexpr char32_t beginning = 0;  // what stands before the first sign
 
 /// Where the next glyph goes and how large it is.
 struct Pen {
@@ -23,60 +24,54 @@ struct Pen {
   int depth = 0;
 };
 
-bool is_small_greek(char32_t sign) { return sign >= U'α' && sign <= U'ω'; }
-
-/// Latin, or small Greek; Δ and Σ are signs of operations.
-bool is_letter(char32_t sign) {
-  return (sign >= U'a' && sign <= U'z') || (sign >= U'A' && sign <= U'Z') || is_small_greek(sign);
+/// Whether a letter in a script stands for a number or a quantity: "i", and not "rel".
+bool is_index(std::string_view before, char32_t sign, std::string_view behind) {
+  const auto is_letter = [](char32_t other) {
+    return (other >= U'a' && other <= U'z') || (other >= U'A' && other <= U'Z') ||
+           (other >= U'α' && other <= U'ω');
+  };
+  const char after = behind.empty() ? ' ' : behind.front();
+  const char past = before.empty() ? ' ' : before.back();
+  return sign >= U'a' && is_letter(sign) && !is_letter(static_cast<unsigned char>(after)) &&
+         !is_letter(static_cast<unsigned char>(past));
 }
 
 class Setter {
  public:
-  Setter(Face face, bool is_formula, List<PlacedGlyph>& glyphs)
-      : face_(face), is_formula_(is_formula), glyphs_(glyphs) {}
+  Setter(Face face, List<PlacedGlyph>& glyphs) : face_(face), glyphs_(glyphs) {}
 
   void set(std::string_view markup, Pen& pen) {
-    char32_t before = beginning;
+    const std::string_view whole = markup;
     while (!markup.empty()) {
       const char first = markup.front();
       if (first == '\\' && markup.size() > 1 && (markup[1] == '_' || markup[1] == '^')) {
         markup.remove_prefix(1);
-        before = place(markup, before, pen);
+        place(markup, whole, pen);
       } else if ((first == '_' || first == '^') && markup.size() > 1 && pen.depth < deepest_script) {
         set_scripts(markup, pen);
       } else {
-        before = place(markup, before, pen);
+        place(markup, whole, pen);
       }
     }
   }
 
  private:
-  /// Returns the sign that it has placed.
-  char32_t place(std::string_view& markup, char32_t sign_before, Pen& pen) {
-    const std::string_view before = markup;
+  /// The first sign of `markup`, which is the rest of `whole`.
+  void place(std::string_view& markup, std::string_view whole, Pen& pen) {
+    const std::string_view rest = markup;
     char32_t code_point = take_code_point(markup);
-    std::string_view sign = before.substr(0, before.size() - markup.size());
+    std::string_view sign = rest.substr(0, rest.size() - markup.size());
     if (code_point < U' ') {
       code_point = U' ';
       sign = " ";
     }
     if (code_point == not_utf8) sign = "\uFFFD";
+    const std::string_view before = whole.substr(0, whole.size() - rest.size());
     GlyphName name = find_glyph(face_, code_point);
-    name.slanted = is_variable(code_point, sign_before, markup, pen);
+    name.slanted =
+        pen.depth > 0 ? is_index(before, code_point, markup) : is_variable(before, code_point, markup);
     glyphs_.push_back({.name = name, .size = pen.size, .x = pen.x, .drop = pen.drop, .sign = sign});
     pen.x += advance(name, pen.size);
-    return code_point;
-  }
-
-  /// Whether a letter stands for a quantity, from what stands before and after it.
-  bool is_variable(char32_t sign, char32_t before, std::string_view rest, const Pen& pen) const {
-    const bool is_unit = (sign == U'm' && rest.starts_with("/s")) || (sign == U's' && before == U'/');
-    const bool has_unit = before == beginning && rest.starts_with(" (");
-    const bool has_subscript = rest.size() > 1 && rest.front() == '_';
-    const char32_t after = rest.empty() ? U' ' : take_code_point(rest);
-    if (is_unit || !is_letter(sign) || is_letter(before) || is_letter(after)) return false;
-    const bool is_index = pen.depth > 0 && sign >= U'a';
-    return is_formula_ || has_unit || has_subscript || is_index || before == U'Δ' || is_small_greek(sign);
   }
 
   /// All scripts that follow directly: they start at the same place unless one kind comes twice.
@@ -127,16 +122,15 @@ class Setter {
   }
 
   Face face_;
-  bool is_formula_;
   List<PlacedGlyph>& glyphs_;
 };
 
 }  // namespace
 
-GlyphLine lay_out(std::string_view markup, double size, Face face, bool is_formula) {
+GlyphLine lay_out(std::string_view markup, double size, Face face) {
   GlyphLine line;
   Pen pen = {.size = size};
-  Setter(face, is_formula, line.glyphs).set(markup, pen);
+  Setter(face, line.glyphs).set(markup, pen);
   line.width = pen.x;
   return line;
 }

@@ -22,8 +22,8 @@ struct GlyphLine {
 };
 
 /// Subscripts and superscripts are set at 78 %; one of each at the same place stand above each other.
-/// Variables are slanted; `is_formula`: letters that stand alone are variables.
-GlyphLine lay_out(std::string_view markup, double size, Face face, bool is_formula = false);
+/// Variables are slanted (render/variables.hpp).
+GlyphLine lay_out(std::string_view markup, double size, Face face);
 
 /// Takes the first code point off a UTF-8 text; U+FFFD for one byte that is not UTF-8. The text must not be
 /// empty.

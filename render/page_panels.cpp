@@ -57,14 +57,13 @@ class EquationSetter {
     }
     const int remarks = layout_.lines.size();
     const TextStyle plain = {.size = type_.size, .color = page_.theme().text};
-    TextStyle formula = plain, result = plain;
-    formula.math = true;
+    TextStyle result = plain;
     result.bold = true;
     if (equation_.color.a > 0 && type_.size >= large_text) result.color = equation_.color;
     double baseline = top_ + 1.05 * type_.size;
-    const double offset = equals_offset(page_.canvas(), equation_.symbols, formula);
+    const double offset = equals_offset(page_.canvas(), equation_.symbols, plain);
     const double offset_inside = std::min(offset, 0.25 * inner_.width);
-    set_line(equation_.symbols, 0, formula, baseline);
+    set_line(equation_.symbols, 0, plain, baseline);
     if (type_.parts != EquationParts::symbols_and_result) {
       set_line(equation_.numbers, equation_.numbers.starts_with("=") ? offset_inside : 0, plain, baseline);
     }
@@ -88,7 +87,7 @@ class EquationSetter {
     }
     small.align = Align::right;
     layout_.lines.push_back({{inner_.x + inner_.width, baseline}, equation_.number, small});
-    const TextStyle formula = {.size = type_.size, .math = true};
+    const TextStyle formula = {.size = type_.size};
     const double beside = page_.canvas().text_width(equation_.number, small) + 2 * small.size;
     if (page_.canvas().text_width(equation_.symbols, formula) + beside > inner_.width) layout_.fits = false;
   }
