@@ -151,9 +151,11 @@ local function with_addition(html, section, title, addition, is_first)
   return html:sub(1, at) .. "\n" .. addition .. html:sub(at + 1)
 end
 
--- Puts the section with the playground where a line <!-- in your hand --> says that one can press along.
+-- Puts what the reader does with the playground, a section or a paragraph of that name, where a line
+-- <!-- in your hand --> says that one can press along.
 local function with_hand(html)
   local from, behind = html:match("()<h2 id=\"in%-your%-hand\">.-()<h2")
+  if not from then from, behind = html:match("()<p><strong>In your hand%.</strong>.-()<h2") end
   local mark = "<!-- in your hand -->"
   local at = html:find(mark, 1, true)
   if not at then return html end
@@ -200,10 +202,10 @@ function parts.lesson_body(lesson)
   }))
   html = "<p class=\"kicker\">" .. escaped(lesson.paper) .. "</p>\n" ..
     html:gsub("</h1>", function(tag) return tag .. "\n<p class=\"idea\">" .. text.prose(lesson.idea) .. "</p>" end, 1)
-  html = with_addition(html, "What to look at", "The frames", player(lesson), true)
+  html = with_addition(with_hand(html), "What to look at", "The frames", player(lesson), true)
   html = with_addition(html, "Run it", "What it prints", console(lesson))
   html = with_addition(html, "Your turn", "The exercise", exercise(lesson))
-  return folded(with_hand(html), lesson.answer or "{}")
+  return folded(html, lesson.answer or "{}")
 end
 
 function parts.teaching_page(lesson) return ("teaching%02d.html"):format(lesson.number) end

@@ -9,7 +9,9 @@
 #include <regex>
 #include <string>
 
+#include "book_pages.hpp"
 #include "child_lesson.hpp"
+#include "html.hpp"
 #include <cairn/math/list.hpp>
 #include "render/image.hpp"
 
@@ -68,6 +70,26 @@ TEST_CASE(
   }
   CHECK(differences > 10);
   CHECK(bytes < 1'500'000);
+}
+
+TEST_CASE("each frame that a lesson's text asks for stands there, and so does what the reader has in hand") {
+  const WholeBook& book = whole_book();  // of key frames, which no page leaves out
+  if (book_is_missing(book.ran)) return;
+  int frames = 0, hands = 0;
+  for (const auto& entry : fs::directory_iterator(CAIRN_SOURCE_DIR "/lessons")) {
+    const auto page = book.pages.find("lesson" + entry.path().filename().string().substr(0, 2) + ".html");
+    if (page == book.pages.end() || page->second.find("<li id=\"frame-") == std::string::npos) continue;
+    CAPTURE(page->first);
+    const std::string readme = bytes_of(entry.path() / "README.md");
+    const auto wanted = all_matches(readme, std::regex("<!-- frame: ([0-9]+) -->"));
+    CHECK(all_matches(page->second, std::regex("<figcaption><a href=\"#frame-([0-9]+)\"")) == wanted);
+    frames += wanted.size();
+    if (readme.find("<!-- in your hand -->") == std::string::npos) continue;
+    ++hands;
+    CHECK(page->second.find(">In your hand") < page->second.find("<h2 id=\"what-to-look-at\""));
+  }
+  CHECK(frames >= 4 * 20);
+  CHECK(hands >= 8);
 }
 
 TEST_CASE("handouts are one small file of all lessons, and one of each, which is tagged") {
