@@ -31,13 +31,21 @@ function parts.link(lesson, words, relation)
   return "<a href=\"" .. lesson.page .. "\"" .. rel .. ">" .. escaped(words or parts.numbered(lesson)) .. "</a>"
 end
 
--- One picture in its themes. One that is lazy is fetched when it is first shown.
-local function layer(lesson, frame, alt, is_lazy)
-  local dark = [[<source media="screen and (prefers-color-scheme: dark)" srcset="frames/{dark}">]]
-  return filled("<picture>" .. (frame.dark and dark or "") ..
-    [[<img src="frames/{light}" width="{width}" height="{height}" alt="{alt}"{lazy}></picture>]], {
-      dark = frame.dark, light = frame.light, width = lesson.width, height = lesson.height, alt = escaped(alt),
-      lazy = is_lazy and " loading=\"lazy\"" or "",
+-- One picture in its themes. One that is lazy is fetched when it is first shown. Of one that is sharp there is another
+-- for screens that have more pixels than it where it stands, as wide as the page.
+local function layer(lesson, frame, alt, is_lazy, is_sharp)
+  local function srcset(theme)
+    local file = "frames/" .. frame[theme]
+    if not is_sharp then return "srcset=\"" .. file .. "\"" end
+    return filled([[srcset="{file} {width}w, {sharp} 1920w" sizes="(max-width: 63rem) 100vw, 61rem"]], {
+      file = file, width = lesson.width, sharp = file:gsub("%l+%.png$", "sharp_%0"),
+    })
+  end
+  local dark = frame.dark and "<source media=\"screen and (prefers-color-scheme: dark)\" " .. srcset("dark") .. ">"
+  return filled(
+    [[<picture>{dark}<img src="frames/{light}" width="{width}" height="{height}" alt="{alt}"{lazy}{more}></picture>]], {
+      dark = dark or "", light = frame.light, width = lesson.width, height = lesson.height, alt = escaped(alt),
+      lazy = is_lazy and " loading=\"lazy\"" or "", more = is_sharp and " " .. srcset("light") or "",
     })
 end
 
@@ -48,8 +56,8 @@ local function frame_of(lesson, number)
 end
 
 -- A frame: one picture, or what differs from another one, upon that.
-function parts.picture(lesson, frame, is_lazy)
-  local top = layer(lesson, frame, frame.alt, is_lazy)
+function parts.picture(lesson, frame, is_lazy, is_sharp)
+  local top = layer(lesson, frame, frame.alt, is_lazy, is_sharp)
   if frame.base == frame.frame then return top end
   return "<span class=\"layers\">" .. layer(lesson, frame_of(lesson, frame.base), "", is_lazy) .. top .. "</span>"
 end
@@ -106,7 +114,7 @@ local function frame_beside(lesson, number)
   end
   local frame = frame_of(lesson, number)
   return frame and filled([[<figure class="beside">{picture}<figcaption>{title}</figcaption></figure>]], {
-    picture = parts.picture(lesson, frame, true), title = title_of(lesson, frame),
+    picture = parts.picture(lesson, frame, true, frame.is_sharp), title = title_of(lesson, frame),
   }) or ""
 end
 
