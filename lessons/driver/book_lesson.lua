@@ -31,13 +31,21 @@ function parts.link(lesson, words, relation)
   return "<a href=\"" .. lesson.page .. "\"" .. rel .. ">" .. escaped(words or parts.numbered(lesson)) .. "</a>"
 end
 
--- One picture in its themes. One that is lazy is fetched when it is first shown.
-local function layer(lesson, frame, alt, is_lazy)
-  local dark = [[<source media="screen and (prefers-color-scheme: dark)" srcset="frames/{dark}">]]
-  return filled("<picture>" .. (frame.dark and dark or "") ..
-    [[<img src="frames/{light}" width="{width}" height="{height}" alt="{alt}"{lazy}></picture>]], {
-      dark = frame.dark, light = frame.light, width = lesson.width, height = lesson.height, alt = escaped(alt),
-      lazy = is_lazy and " loading=\"lazy\"" or "",
+-- One picture in its themes. One that is lazy is fetched when it is first shown. Of one that is sharp there is another
+-- for screens that have more pixels than it where it stands, as wide as the page.
+local function layer(lesson, frame, alt, is_lazy, is_sharp)
+  local function srcset(theme)
+    local file = "frames/" .. frame[theme]
+    if not is_sharp then return "srcset=\"" .. file .. "\"" end
+    return filled([[srcset="{file} {width}w, {sharp} 1920w" sizes="(max-width: 63rem) 100vw, 61rem"]], {
+      file = file, width = lesson.width, sharp = file:gsub("%l+%.png$", "sharp_%0"),
+    })
+  end
+  local dark = frame.dark and "<source media=\"screen and (prefers-color-scheme: dark)\" " .. srcset("dark") .. ">"
+  return filled(
+    [[<picture>{dark}<img src="frames/{light}" width="{width}" height="{height}" alt="{alt}"{lazy}{more}></picture>]], {
+      dark = dark or "", light = frame.light, width = lesson.width, height = lesson.height, alt = escaped(alt),
+      lazy = is_lazy and " loading=\"lazy\"" or "", more = is_sharp and " " .. srcset("light") or "",
     })
 end
 
@@ -48,8 +56,8 @@ local function frame_of(lesson, number)
 end
 
 -- A frame: one picture, or what differs from another one, upon that.
-function parts.picture(lesson, frame, is_lazy)
-  local top = layer(lesson, frame, frame.alt, is_lazy)
+function parts.picture(lesson, frame, is_lazy, is_sharp)
+  local top = layer(lesson, frame, frame.alt, is_lazy, is_sharp)
   if frame.base == frame.frame then return top end
   return "<span class=\"layers\">" .. layer(lesson, frame_of(lesson, frame.base), "", is_lazy) .. top .. "</span>"
 end
@@ -106,7 +114,7 @@ local function frame_beside(lesson, number)
   end
   local frame = frame_of(lesson, number)
   return frame and filled([[<figure class="beside">{picture}<figcaption>{title}</figcaption></figure>]], {
-    picture = parts.picture(lesson, frame, true), title = title_of(lesson, frame),
+    picture = parts.picture(lesson, frame, true, frame.is_sharp), title = title_of(lesson, frame),
   }) or ""
 end
 
@@ -151,9 +159,11 @@ local function with_addition(html, section, title, addition, is_first)
   return html:sub(1, at) .. "\n" .. addition .. html:sub(at + 1)
 end
 
--- Puts the section with the playground where a line <!-- in your hand --> says that one can press along.
+-- Puts what the reader does with the playground, a section or a paragraph of that name, where a line
+-- <!-- in your hand --> says that one can press along.
 local function with_hand(html)
   local from, behind = html:match("()<h2 id=\"in%-your%-hand\">.-()<h2")
+  if not from then from, behind = html:match("()<p><strong>In your hand%.</strong>.-()<h2") end
   local mark = "<!-- in your hand -->"
   local at = html:find(mark, 1, true)
   if not at then return html end
@@ -200,10 +210,10 @@ function parts.lesson_body(lesson)
   }))
   html = "<p class=\"kicker\">" .. escaped(lesson.paper) .. "</p>\n" ..
     html:gsub("</h1>", function(tag) return tag .. "\n<p class=\"idea\">" .. text.prose(lesson.idea) .. "</p>" end, 1)
-  html = with_addition(html, "What to look at", "The frames", player(lesson), true)
+  html = with_addition(with_hand(html), "What to look at", "The frames", player(lesson), true)
   html = with_addition(html, "Run it", "What it prints", console(lesson))
   html = with_addition(html, "Your turn", "The exercise", exercise(lesson))
-  return folded(with_hand(html), lesson.answer or "{}")
+  return folded(html, lesson.answer or "{}")
 end
 
 function parts.teaching_page(lesson) return ("teaching%02d.html"):format(lesson.number) end

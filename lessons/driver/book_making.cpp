@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "lessons/driver/coverage.hpp"
@@ -32,10 +35,9 @@ fs::path lesson_out(const Program& program, const Workshop& shop, const std::str
   return shop.work / (program.name + "_" + theme);
 }
 
-ProcessResult run_in_theme(const Program& program, const Workshop& shop, const std::string& theme) {
+ProcessResult run_in_theme(const Program& program, const Workshop& shop, const std::string& theme,
+                           const Words& pictures) {
   Words command = {program.path.string(), "--checks", "--color", "never", "--progress", "never"};
-  const Words pictures =
-      shop.is_for_print ? Words{"--frames", "key", "--format", "svg"} : Words{"--frames", "all"};
   command.insert(command.end(), pictures.begin(), pictures.end());
   command.insert(command.end(), shop.flags.begin(), shop.flags.end());
   command.insert(command.end(), {"--theme", theme, "--out", lesson_out(program, shop, theme).string()});
@@ -65,6 +67,17 @@ std::string console_text(const std::string& output, const fs::path& pictures) {
 nlohmann::json read_json(const fs::path& file) {
   std::ifstream stream(file);
   return nlohmann::json::parse(stream, nullptr, false);
+}
+
+/// Those that its text shows, by their numbers.
+std::set<int> frames_beside(const Program& program) {
+  std::ifstream stream(lesson_folder(program) / "README.md");
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::regex mark("<!-- frame: ([0-9]+) -->");
+  std::set<int> frames;
+  for (std::sregex_iterator at(text.begin(), text.end(), mark), end; at != end; ++at)
+    frames.insert(std::stoi((*at)[1]));
+  return frames;
 }
 
 /// "lesson06_0001_light.png".
@@ -103,8 +116,9 @@ List<FilmPicture> film_of(const Workshop& shop, const Program& program, const nl
 
 /// So many of the frames that the page is not too heavy, small, in both themes: and below each the frame that
 /// it lies upon, or itself.
+/// `bytes` becomes what one theme of them has.
 nlohmann::json small_frames(const Workshop& shop, const Program& program, const nlohmann::json& all,
-                            const nlohmann::json& covers) {
+                            const nlohmann::json& covers, std::uintmax_t& bytes) {
   nlohmann::json frames;
   SmallFilm made{.bytes = most_bytes + 1};
   for (int stride = 1; made.bytes > most_bytes && stride <= static_cast<int>(all.size());) {
@@ -115,6 +129,7 @@ nlohmann::json small_frames(const Workshop& shop, const Program& program, const 
     require_uninterrupted();
   }
   make_small(film_of(shop, program, frames, "dark"), made.bases);
+  bytes = made.bytes;
   for (int i = 0; i < made.bases.size(); ++i) {
     nlohmann::json& frame = frames[static_cast<std::size_t>(i)];
     frame["base"] = frames[static_cast<std::size_t>(made.bases[i])].at("frame");
@@ -122,6 +137,32 @@ nlohmann::json small_frames(const Workshop& shop, const Program& program, const 
       frame[theme] = picture_name(program, frame.at("frame"), theme, frame.at("file").get<std::string>());
   }
   return frames;
+}
+
+/// Frames beside the text once more, as many pixels as a dense screen has there, where the page does not
+/// become too heavy by all of them. They are key frames. Flags may ask for other sizes or frames: none then.
+void add_sharp_frames(const Workshop& shop, const Program& program, nlohmann::json& frames,
+                      std::uintmax_t bytes) {
+  const std::set<int> beside = frames_beside(program);
+  if (beside.empty() || !shop.flags.empty()) return;
+  for (const std::string theme : {"light", "dark"}) {
+    run_in_theme(program, shop, theme, {"--frames", "key", "--size", "large"});
+    List<FilmPicture> film;
+    const auto index = read_json(lesson_out(program, shop, theme) / "frames.json");
+    for (const nlohmann::json& frame : index.at("frames")) {
+      if (!beside.contains(frame.at("frame"))) continue;
+      const std::string file = frame.at("file");
+      film.push_back({.from = lesson_out(program, shop, theme) / file,
+                      .to = shop.book / "frames" /
+                            picture_name(program, frame.at("frame"), "sharp_" + theme, file)});
+    }
+    if (theme == "light" && bytes + make_small(film).bytes > most_bytes) {
+      for (const FilmPicture& picture : film) fs::remove(picture.to);
+      return;
+    }
+    if (theme == "dark") make_small(film);
+  }
+  for (nlohmann::json& frame : frames) frame["is_sharp"] = beside.contains(frame.at("frame"));
 }
 
 /// As they are, in one theme.
@@ -144,8 +185,13 @@ void take_frames(const Workshop& shop, const Program& program, nlohmann::json& l
   lesson["width"] = record.at("width");
   lesson["height"] = record.at("height");
   lesson["answer"] = record.at("answer").dump();
-  lesson["frames"] = shop.is_for_print ? printed_frames(shop, program, index.at("frames"))
-                                       : small_frames(shop, program, index.at("frames"), lesson.at("covers"));
+  if (shop.is_for_print) {
+    lesson["frames"] = printed_frames(shop, program, index.at("frames"));
+    return;
+  }
+  std::uintmax_t bytes = 0;
+  lesson["frames"] = small_frames(shop, program, index.at("frames"), lesson.at("covers"), bytes);
+  add_sharp_frames(shop, program, lesson["frames"], bytes);
 }
 
 /// By item, the first frame that shows it; 0 where the text does.
@@ -157,8 +203,10 @@ nlohmann::json covers_of(const Program& program) {
 
 /// What book.lua has to know of a lesson beside its texts.
 nlohmann::json facts_of(const Workshop& shop, const Program& program, BookSize& size) {
-  const ProcessResult result = run_in_theme(program, shop, "light");
-  if (!shop.is_for_print) run_in_theme(program, shop, "dark");
+  const Words pictures =
+      shop.is_for_print ? Words{"--frames", "key", "--format", "svg"} : Words{"--frames", "all"};
+  const ProcessResult result = run_in_theme(program, shop, "light", pictures);
+  if (!shop.is_for_print) run_in_theme(program, shop, "dark", pictures);
   size.all_held = size.all_held && result.code != 1;
   const LessonInfo& card = program.card;
   const fs::path folder = lesson_folder(program);

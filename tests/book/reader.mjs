@@ -2,6 +2,7 @@
 import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { fetchShown } from "./in_page.mjs";
 
 const mostOfLesson = 1.5e6; // [bytes]
 
@@ -68,10 +69,10 @@ async function checkSearchAsOneTypes(tab, address, check) {
   check(count.startsWith(`${(await found()).length} section`), "and counts what it lists", count);
 }
 
-/** The page, its style and script, and its pictures in one theme: what a reader fetches who looks at all of it. */
+/** The page, its style and script, and its pictures in one theme, also for dense screens: all that one may fetch. */
 function checkWeight(book, name, check) {
   const html = readFileSync(join(book, name), "utf8");
-  const pictures = new Set([...html.matchAll(/<img src="([^"]+)"/g)].map(([, file]) => file));
+  const pictures = new Set([...html.matchAll(/frames\/[^" ]+_light\.png/g)].map(([file]) => file));
   const files = [name, "book.css", "book.js", ...pictures];
   const bytes = files.reduce((sum, file) => sum + statSync(join(book, file)).size, 0);
   check(bytes <= mostOfLesson, `${name} with its pictures has at most ${mostOfLesson} bytes`, String(bytes));
@@ -108,6 +109,25 @@ async function checkPaper(tab, name, check) {
   check(isApart, `${name} on paper: the answer stands on a page of its own`);
 }
 
+/** The frames beside the text: as many pixels as a dense screen shows there, and no more on others. */
+async function checkDense(browser, address, check) {
+  const kinds = async (deviceScaleFactor) => {
+    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, deviceScaleFactor });
+    const tab = await context.newPage();
+    await tab.goto(address);
+    await tab.evaluate(() => { for (const fold of document.querySelectorAll("details")) fold.open = true; });
+    await tab.evaluate(fetchShown);
+    const all = await tab.$$eval(".beside img", (images) => images.map((image) =>
+      image.currentSrc.includes("_sharp_") ? "sharp" : "usual"));
+    await context.close();
+    return [...new Set(all)].join();
+  };
+  const dense = await kinds(2);
+  const others = await kinds(1);
+  check(dense === "sharp", `${address.split("/").pop()}: frames beside the text are sharp on a dense screen`, dense);
+  check(others === "usual", "and take no more bytes than others can show", others);
+}
+
 /** All lessons of a book. */
 export async function checkReaders(tab, book, lessons, check) {
   const address = (page) => pathToFileURL(join(book, page)).href;
@@ -119,6 +139,9 @@ export async function checkReaders(tab, book, lessons, check) {
     await checkPaper(tab, name, check);
     if (await tab.locator(".guess").count() > 0) await checkGuesses(tab, address(name), check);
   }
+  const sharp = lessons.find((name) => readFileSync(join(book, name), "utf8").includes("_sharp_"));
+  check(sharp !== undefined, "some lesson has pictures for dense screens");
+  if (sharp) await checkDense(tab.context().browser(), address(sharp), check);
   console.log(`the heaviest lesson: ${heaviest.name}, ${(heaviest.bytes / 1e6).toFixed(2)} MB in one theme`);
   await checkSearchAsOneTypes(tab, address("search.html"), check);
 }

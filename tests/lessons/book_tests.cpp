@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <string>
 
+#include "book_pages.hpp"
 #include "child_lesson.hpp"
 #include "html.hpp"
 #include <cairn/math/list.hpp>
@@ -19,47 +17,6 @@ namespace cairn::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using Pages = std::map<std::string, std::string>;  // the text of each by its name
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Without pandoc there are no books.
-bool book_is_missing(const Ran& ran) {
-  const bool cannot = ran.code == 3 && ran.err.find("made by pandoc") != std::string::npos;
-  if (cannot) MESSAGE("pandoc is not installed: there is no book to look at");
-  return cannot;
-}
-
-/// `lessons book` in a folder of its own: where a playground was made, its page would come with the book.
-Ran make_book(const ScratchFolder& scratch, const std::string& driver, List<std::string> words) {
-  words.insert(words.begin(), {"-C", scratch.path(), driver, "book"});
-  return run_program("/usr/bin/env", words);
-}
-
-/// The whole book of key frames, made once for all tests.
-struct WholeBook {
-  ScratchFolder scratch = {};
-  fs::path folder = scratch.path() + "/book";
-  Ran ran = make_book(scratch, CAIRN_BIN_DIR "/lessons", {folder.string(), "--frames", "key"});
-  Pages pages = {};
-
-  WholeBook() {
-    if (!fs::exists(folder)) return;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == ".html") {
-        pages[entry.path().filename().string()] = bytes_of(entry.path());
-      }
-    }
-  }
-};
-
-const WholeBook& whole_book() {
-  static const WholeBook book;
-  return book;
-}
 
 /// "lesson03_sequential_impulses" of every lesson that was built.
 List<std::string> built_lessons() {

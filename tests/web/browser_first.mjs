@@ -76,9 +76,10 @@ async function checkMotion(tab) {
     });
   const seen = await moments();
   const grows = seen.every(([, share], i) => i === 0 || share >= seen[i - 1][1]);
-  const took = seen[seen.length - 1][0] - seen[0][0];
+  // It ends with the first picture after that, however late a busy machine draws it.
+  const times = seen.map(([time]) => time - seen[0][0]);
   check(seen[0][1] === 0 && seen[seen.length - 1][1] === 1 && grows, "a row update grows", String(seen));
-  check(took >= 140 && took < 400, "for 150 ms", String(took));
+  check(times.at(-1) >= 140 && times.at(-2) < 250, "for 150 ms", String(times));
   await tab.emulateMedia({ reducedMotion: "reduce" });
   const still = await moments();
   check(

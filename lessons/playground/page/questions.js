@@ -96,7 +96,7 @@ export const questions = [
     bodies: "ground light",
     asks: "A box of 1 kg carries one of 100 kg. Two points carry both of them. Where will the row of the left point end?",
     because:
-      "Both boxes weigh 1010 N, and two points share them. With this mass ratio a sweep gets hardly nearer: look at the residual (lesson 17).",
+      "Both boxes weigh 1010 N, and two points share them. With this mass ratio a sweep gets hardly nearer: look at the residual (lesson 19).",
     wrong: [
       { is: 1010, says: "Twice it: that is the whole weight, and two points share it." },
       { is: 5, says: "That is the light box alone." },
@@ -113,7 +113,7 @@ export const questions = [
     what: "Ten sweeps leave a residual of",
     asks: "Two boxes, one on the other, ten sweeps from nothing. For which two do they leave less to do?",
     because:
-      "A light box under a heavy one is thrown from contact to contact: each sweep moves a hundredth of the weight. Heavy on light is slow (lesson 17).",
+      "A light box under a heavy one is thrown from contact to contact: each sweep moves a hundredth of the weight. Heavy on light is slow (lesson 19).",
   },
   {
     choices: [
@@ -166,7 +166,7 @@ export const questions = [
     what: "What is left is a residual of",
     asks: "A pyramid with 400 rows, begun from nothing. Newton solves one system of linear equations for all of them. Which leaves the least?",
     because:
-      "Here all points press, so one system has the whole answer; where points open or slip, Newton asks which, and solves a few more. A system costs far more than a sweep (lesson 18).",
+      "Here all points press, so one system has the whole answer; where points open or slip, Newton asks which, and solves a few more. A system costs far more than a sweep (lesson 22).",
   },
   {
     choices: [
