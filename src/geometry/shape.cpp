@@ -58,7 +58,8 @@ double signed_area(const List<Vec2<double>>& points) {
 void require_distinct(const List<Vec2<double>>& points, double size) {
   for (int i = 0; i < points.size(); ++i) {
     for (int j = i + 1; j < points.size(); ++j) {
-      require((points[j] - points[i]).norm() > finest_detail * size, "polygon", fmt::format("points[{}]", j),
+      if ((points[j] - points[i]).norm() > finest_detail * size) continue;
+      require(false, "polygon", fmt::format("points[{}]", j),
               fmt::format("farther than {:.6g} m from points[{}]", finest_detail * size, i), text(points[j]));
     }
   }
@@ -93,8 +94,10 @@ void set_normals(const Polygon<double>& source, Polygon<Real>& target) {
     const int next = (i + 1) % count;
     const Vec2<double> edge = source.vertices[next] - source.vertices[i];
     const double length = hypotenuse(edge.x(), edge.y());
-    require(length > 0, "polygon", fmt::format("vertices[{}]", i), "another point than the next, as rounded",
-            text(source.vertices[i]));
+    if (!(length > 0)) {
+      require(false, "polygon", fmt::format("vertices[{}]", i), "another point than the next, as rounded",
+              text(source.vertices[i]));
+    }
     target.normals[i] = {static_cast<Real>(edge.y() / length), static_cast<Real>(-edge.x() / length)};
   }
 }

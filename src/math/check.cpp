@@ -21,8 +21,9 @@ void require(bool holds, std::string_view place, std::string_view field, std::st
 }
 
 void require_finite(double value, std::string_view place, std::string_view field, std::string_view unit) {
-  const std::string rule = unit.empty() ? "a finite number" : fmt::format("a finite number of {}", unit);
-  require(std::isfinite(value), place, field, rule, value);
+  if (std::isfinite(value)) return;
+  require(false, place, field, unit.empty() ? "a finite number" : fmt::format("a finite number of {}", unit),
+          value);
 }
 
 void require_finite(const Vec2<double>& value, std::string_view place, std::string_view field,

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <set>
 
 #include <cairn/world/scene_length.hpp>
 
@@ -111,11 +111,16 @@ void add_body(const SceneBody& body, const SceneSettings& settings, Plan& plan) 
 
 /// The kinds of shapes that occur, sorted.
 List<std::string> shape_kinds(const Scene& scene) {
-  std::set<std::string> kinds;
+  std::array<const Shape<double>*, std::variant_size_v<Shape<double>>> one_of = {};  // each kind
   for (const SceneBody& body : scene.bodies()) {
-    for (const Shape<double>& shape : body.spec.shapes) kinds.insert(shape_name(shape));
+    for (const Shape<double>& shape : body.spec.shapes) one_of[shape.index()] = &shape;
   }
-  return {kinds.begin(), kinds.end()};
+  List<std::string> kinds;
+  for (const Shape<double>* shape : one_of) {
+    if (shape != nullptr) kinds.push_back(shape_name(*shape));
+  }
+  std::sort(kinds.begin(), kinds.end());
+  return kinds;
 }
 
 /// How many bodies have shapes that rub.

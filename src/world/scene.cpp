@@ -13,8 +13,8 @@ namespace cairn {
 namespace {
 
 void require_range(double value, double least, const char* place, const char* field, const char* unit) {
-  const std::string rule = ">= " + shortest(least) + (*unit ? " " : "") + unit + " and finite";
-  require(value >= least && std::isfinite(value), place, field, rule, value);
+  if (value >= least && std::isfinite(value)) return;
+  require(false, place, field, ">= " + shortest(least) + (*unit ? " " : "") + unit + " and finite", value);
 }
 
 /// Masses and inertias: their inverses must be finite in every scalar type, and products of a few of them

@@ -160,8 +160,9 @@ class Scene {
   /// its body or joint is removed before, or all bodies whose touch it waits for; a count stays.
   /// @throws std::invalid_argument unless the time is finite and not negative, for what is not in the scene,
   /// for impulses and forces on the ground and on what cannot move, for a path of a body that is not
-  /// kinematic, leads nowhere, or would begin at more than one touch, for a motor or a body that change() refuses, for velocities of what is
-  /// static, for a touch of bodies of which none is dynamic, and for a count that waits for none.
+  /// kinematic, leads nowhere, or would begin at more than one touch, for a motor or a body that change()
+  /// refuses, for velocities of what is static, for a touch of bodies of which none is dynamic, and for a
+  /// count that waits for none.
   void add(const SceneEvent& event);
   /// The same bodies and joints under other rules. @throws std::invalid_argument, and then changes nothing.
   void set_settings(const SceneSettings& settings);

@@ -110,10 +110,13 @@ World<Real>::World(Scene scene)
     radius[collider.body] = std::max(radius[collider.body], collider.form->radius);
   state_ = state_of<Real>(*scene_);
   const auto kinds = std::make_shared<BodyKinds<Real>>();
+  const Shape<double>* measured = nullptr;  // bodies that are alike share their shapes
+  double smallest = smallest_extent({});    // of these shapes
   for (const BodyId id : scene_->bodies().indices()) {
     const SceneBody& body = scene_->bodies()[id];
     const BodySpec& spec = body.spec;
-    const double smallest = smallest_extent(spec);
+    if (spec.shapes.data() != measured) smallest = smallest_extent(spec);
+    measured = spec.shapes.data();
     require_place<Real>(body, id, smallest);
     if (plan_->collision) require_springs_hold(scene_->settings(), body, id, smallest);
     kinds->add(forces_on<Real>(spec), traits_of(spec, smallest, radius[id]));

@@ -235,6 +235,14 @@ TEST_CASE("a world that is new does allocate: the steps that are counted are tho
   CHECK(allocations > 0);
 }
 
+TEST_CASE("placing a body allocates nothing: no text is made for numbers that are right") {
+  Scene scene = samples::stack(3);
+  const Pose<double> pose = scene.bodies()[{1}].pose;
+  const AllocationCount count;
+  scene.place({1}, {pose.position + Vec2<double>(1, 0), 0.5}, {1, 2, 3});
+  CHECK(count.value() == 0);
+}
+
 TEST_CASE_TEMPLATE("a steady step allocates nothing, whatever the scene, the policy and the solver", Real,
                    float, double) {
   for (const SceneToCount& one : scenes_to_count()) check_steady_steps<Real>(one, {.iterations = 4});
