@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "../measure.hpp"
 #include "engine.hpp"
 #include <cairn/math/check.hpp>
 
@@ -96,6 +97,7 @@ class Box2D3Engine final : public Engine {
   Box2D3Engine& operator=(const Box2D3Engine&) = delete;
 
   void step() override { b2World_Step(world_, dt_, substeps_); }
+  void put(const SceneBody& body) { bodies_.push_back(add(world_, body)); }
   b2Profile profile() const { return b2World_GetProfile(world_); }
   PerBody<Pose<double>> poses() const override {
     PerBody<Pose<double>> result;
@@ -164,6 +166,23 @@ Phases phases_of_box2d_3(const Scene& scene, const PeerSettings& settings, int s
     }
   }
   return {.parts = parts};
+}
+
+List<Phase> edits_of_box2d_3(const Scene& scene, const BodySpec& body, int times) {
+  Box2D3Engine engine(scene, {});
+  for (int step = 0; step < 3; ++step) engine.step();
+  Scene alone;
+  const SceneBody added = alone.bodies()[alone.add(body)];
+  Phase in_world = {.name = "b2CreateBody and its shape"}, steps = {.name = "the step after it"};
+  for (int i = 0; i < times; ++i) {
+    const Stopwatch adding;
+    engine.put(added);
+    in_world.seconds.push_back(adding.seconds());
+    const Stopwatch stepping;
+    engine.step();
+    steps.seconds.push_back(stepping.seconds());
+  }
+  return {in_world, steps};
 }
 
 std::string box2d_3_version() {

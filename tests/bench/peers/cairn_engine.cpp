@@ -91,6 +91,29 @@ Phases phases_of_cairn(const Scene& scene, const Setting& setting, int steps) {
   return phases;
 }
 
+List<Phase> edits_of_cairn(const Scene& scene, const BodySpec& body, int times) {
+  Phase in_scene = {.name = "Scene::add"}, in_world = {.name = "World::edit"},
+        steps = {.name = "the step after it"}, copies = {.name = "World twin = world"};
+  Scene growing = scene;
+  World<double> world(scene);
+  const std::unique_ptr<Solver<double>> solver = make_solver<double>("newton", {.iterations = 50});
+  for (int step = 0; step < 3; ++step) world.step(*solver);
+  const auto take = [](Phase& phase, const auto& run) {
+    const Stopwatch watch;
+    run();
+    phase.seconds.push_back(watch.seconds());
+  };
+  growing.add(body);  // from here on it shares its bodies with no other
+  for (int i = 0; i < times; ++i) {
+    take(in_scene, [&] { growing.add(body); });
+    take(in_world, [&] { world.edit([&](Scene& now) { now.add(body); }); });
+    take(steps, [&] { world.step(*solver); });
+    std::optional<World<double>> twin;
+    take(copies, [&] { twin.emplace(world); });
+  }
+  return {in_scene, in_world, steps, copies};
+}
+
 List<Pin> pins_of(const Scene& scene) {
   PerBody<Pose<double>> poses;
   for (const SceneBody& body : scene.bodies()) poses.push_back(body.pose);

@@ -46,10 +46,10 @@ std::unique_ptr<Engine> make_chipmunk(const Scene& scene, const PeerSettings& se
 /// Bullet, whose bodies are kept in the plane, with its collision of boxes in the plane.
 std::unique_ptr<Engine> make_bullet(const Scene& scene, const PeerSettings& settings);
 
-/// A part of every step.
+/// A part of what is done again and again, as of every step.
 struct Phase {
   std::string name = {};
-  List<double> seconds = {};  // of each step
+  List<double> seconds = {};  // each time
 };
 
 /// Where the time of some steps went.
@@ -62,6 +62,14 @@ struct Phases {
 Phases phases_of_cairn(const Scene& scene, const Setting& setting, int steps);
 /// Its profile, by the clock on the wall.
 Phases phases_of_box2d_3(const Scene& scene, const PeerSettings& settings, int steps);
+
+// What it takes to add `body` to a scene of many, so many times: each time one more. The first steps of the
+// world are not among what is timed.
+
+/// To a scene; to a world that runs; the step after that; and a copy of such a world.
+List<Phase> edits_of_cairn(const Scene& scene, const BodySpec& body, int times);
+/// To a world that runs, and the step after that. Its worlds cannot be copied.
+List<Phase> edits_of_box2d_3(const Scene& scene, const BodySpec& body, int times);
 
 // What was found of each: "3.2.0".
 

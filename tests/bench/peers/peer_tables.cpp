@@ -113,9 +113,17 @@ void print_rows(const Task& task, const Entrants& entrants) {
   std::fflush(stdout);
 }
 
-void print_work_in(const PeerScene& entry, const RunLength& length) {
+/// Of the settings of Cairn, those that texts compare with the first line.
+bool is_among_few(const std::string& name) {
+  const List<std::string> few = {"Cairn, the default", "Cairn newton to 1e-06",
+                                 "Cairn newton to 1e-06, moved", "Cairn wide to 0.001, moved",
+                                 "Cairn wide x1, 4 substeps, moved, soft"};
+  return std::find(few.begin(), few.end(), name) != few.end();
+}
+
+void print_work_in(const PeerScene& entry, const List<Contestant>& contestants, const RunLength& length) {
   const Task task(entry, length);
-  Entrants entrants = {.contestants = usual_contestants()};
+  Entrants entrants = {.contestants = contestants};
   for (const Contestant& one : entrants.contestants) {
     entrants.findings.push_back(find_errors(task, one));
     const std::optional<std::string>& refused = entrants.findings.back().refused;
@@ -171,7 +179,21 @@ void print_equal_work(const List<PeerScene>& scenes, const RunLength& length) {
       "than {:g} s, and was broken off. Where all runs of a line would take longer than that, there are\n"
       "fewer, and where two would, its time is that of the run whose errors were measured.\n\n",
       length.most);
-  for (const PeerScene& scene : scenes) print_work_in(scene, length);
+  for (const PeerScene& scene : scenes) print_work_in(scene, usual_contestants(), length);
+}
+
+void print_large_pyramid(const RunLength& usual) {
+  RunLength length = usual;
+  length.most = std::max(usual.most, 20.0);
+  print_heading("4. A large pyramid");
+  fmt::print("As in 1, for fewer settings. A run may take {:g} s.\n\n", length.most);
+  List<Contestant> contestants;
+  for (const Contestant& one : usual_contestants()) {
+    if (contestants.empty() || is_among_few(one.name)) contestants.push_back(one);
+  }
+  for (const PeerScene& scene : peer_scenes()) {
+    if (scene.name == "pyramid-100") print_work_in(scene, contestants, length);
+  }
 }
 
 void print_equal_error(const List<PeerScene>& scenes, const RunLength& length) {

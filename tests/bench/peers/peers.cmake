@@ -1,7 +1,8 @@
 # A program that steps the same scenes with Cairn and with every peer that is installed.
 add_executable(cairn_peers EXCLUDE_FROM_ALL bench/peers/adapter_check.cpp bench/peers/benchmark_scenes.cpp
-  bench/peers/cairn_engine.cpp bench/peers/errors.cpp bench/peers/peer_list.cpp bench/peers/peer_scenes.cpp
-  bench/peers/peer_tables.cpp bench/peers/peers_main.cpp bench/peers/phase_table.cpp bench/peers/runs.cpp)
+  bench/peers/cairn_engine.cpp bench/peers/edit_table.cpp bench/peers/errors.cpp bench/peers/peer_list.cpp
+  bench/peers/peer_scenes.cpp bench/peers/peer_tables.cpp bench/peers/peers_main.cpp bench/peers/phase_table.cpp
+  bench/peers/runs.cpp)
 target_link_libraries(cairn_peers PRIVATE cairn_study cairn_bench_base)
 
 # cairn_add_peer(NAME FILE INCLUDES LIBRARIES): the adapter in FILE alone sees the peer's headers, so that two peers may

@@ -1,7 +1,7 @@
 // Cairn beside its peers: what a step costs, and what it is worth.
 //   bash tests/run bench peers            the small scenes, at most 250 steps each: half an hour
 //   bash tests/run bench peers --whole    all scenes, at most 500 steps each: some hours
-//   bash tests/run bench peers SCENE...   these alone
+//   bash tests/run bench peers NAME...    these scenes alone; "large" and "edit" are the tables 4 and 5
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,15 +31,27 @@ List<PeerScene> wanted_scenes(const List<std::string>& names, bool all) {
   return wanted;
 }
 
+/// Whether a word is among them, which it is no longer.
+bool take(const std::string& word, List<std::string>& words) {
+  const int before = words.size();
+  erase_if(words, [&word](const std::string& one) { return one == word; });
+  return words.size() < before;
+}
+
+int refuse() {
+  fmt::print(stderr, "cairn_peers: takes --whole and names of scenes and tables, each once; there are:");
+  for (const PeerScene& scene : peer_scenes()) fmt::print(stderr, " {}", scene.name);
+  fmt::print(stderr, " large edit\n");
+  return 2;
+}
+
 int compare(List<std::string> words) {
-  const bool all = std::find(words.begin(), words.end(), "--whole") != words.end();
-  erase_if(words, [](const std::string& word) { return word == "--whole"; });
-  const List<PeerScene> scenes = wanted_scenes(words, all);
-  if (scenes.empty()) {
-    fmt::print(stderr, "cairn_peers: takes --whole and names of scenes, each once; there are:");
-    for (const PeerScene& scene : peer_scenes()) fmt::print(stderr, " {}", scene.name);
-    fmt::print(stderr, "\n");
-    return 2;
+  const bool all = take("--whole", words), none_named = words.empty();
+  const bool large = take("large", words) || none_named, edit = take("edit", words) || none_named;
+  List<PeerScene> scenes;
+  if (none_named || !words.empty()) {
+    scenes = wanted_scenes(words, all);
+    if (scenes.empty()) return refuse();
   }
   const RunLength& length = all ? whole : quick;
   print_machine();
@@ -51,9 +63,13 @@ int compare(List<std::string> words) {
       "its assertions on, which slow it, and says so here:\n",
       length.repetitions, length.steps, 100 * largest_noise);
   if (!adapters_agree()) return 1;
-  print_equal_work(scenes, length);
-  print_equal_error(scenes, length);
-  print_phases(scenes, length);
+  if (!scenes.empty()) {
+    print_equal_work(scenes, length);
+    print_equal_error(scenes, length);
+    print_phases(scenes, length);
+  }
+  if (large) print_large_pyramid(length);
+  if (edit) print_edits();
   return 0;
 }
 
