@@ -130,7 +130,7 @@ void draw_speeds(Page& page, const FeetRun& run) {
   }
   page.table(parts[1], "", table);
   page.note(parts[2], "What decides",
-            "One sweep leaves 1 − q of the speed. q = 1: done at once; q < 2: "
+            "One sweep leaves 1 − q of the speed. q = 1: done in one sweep; q < 2: "
             "converges; q > 2: grows, or never ends.");
 }
 

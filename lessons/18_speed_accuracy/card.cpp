@@ -7,8 +7,8 @@ const LessonCard lesson18(
     {.number = 18,
      .name = "speed_accuracy",
      .title = "What does one more digit cost?",
-     .idea = "Accuracy is bought with sweeps. The price of a digit depends on the scene first, then on the "
-             "solver, and last on the machine.",
+     .idea = "Accuracy is bought with sweeps. What a digit costs depends on the scene and on the solver, and "
+             "least on the machine.",
      .paper = "paper 4.4, eq (22), (28)",
      .equations =
          {"      error after k sweeps ≈ constant × ρᵏ          one digit: ln 10 / −ln ρ sweeps",

@@ -21,7 +21,7 @@ const LessonCard lesson20(
          "soon as all errors are down to a thousandth: that leaves 89\u00a0% of the row updates. How many "
          "per "
          "cent are left if each of the three ends by itself?",
-     .spoilers = {"40 %", "0.85 m"},
+     .spoilers = {"40 %", "0.86 m"},
      .wrong = {{{85},
                 {100},
                 "The tower keeps only itself waiting now: the pyramid, with most of the rows, "

@@ -33,9 +33,11 @@ void draw_amounts(Page& page, const Rect& rect, std::string_view title, const Ne
     const double base = middle + 0.36 * name.size;
     page.canvas().text({inside.x, base}, all.runs[i].switches.name,
                        i == early || i == by_islands ? value : name);
+    // Two of the neutral looks share a colour; sleep is hollow.
+    const Color fill = i == sleeping ? page.theme().panel : style_of(page, i).color;
     page.canvas().rect(
         {left, middle - 0.32 * line, width, 0.64 * line},
-        {.fill = style_of(page, i).color, .outline = page.theme().outline, .outline_width = 1});
+        {.fill = fill, .outline = page.theme().outline, .outline_width = i == sleeping ? 2.0 : 1.0});
     page.canvas().text({left + width + 6, base}, fixed(amounts[i], 0) + unit, value);
   }
 }
@@ -127,8 +129,8 @@ void draw_ruin(Page& page, const NeedsRun& all) {
   draw_pyramid(page, parts[1], all, no_friction);
   page.note(
       parts[2], "No friction",
-      fmt::format("It saves nearly half of the row updates, and until the ball comes nothing needs the rows "
-                  "that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
+      fmt::format("It saves nearly half of the row updates, and until the ball comes little is lost without "
+                  "the rows that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
                   fixed(off_at_end(all, no_friction, farthest_box(all, no_friction)), 2)),
       question_growth);
 }

@@ -58,13 +58,15 @@ Shot parts_shot(const Trials& trials) {
 void draw_trade(Page& page, const Rect& rect, const Trials& trials) {
   Plot plot{.title = fmt::format("the {} {} (mm)", trials.kind.name, telling(trials.kind))};
   plot.x = {.title = "row updates a step", .scale = AxisScale::logarithmic};
-  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-4, .max = 1e5};
-  Series series{.style = page.theme().si, .line = false};
+  double most = 0;
+  for (const Outcome& outcome : trials.outcomes) most = std::max(most, 1000 * told(trials.kind, outcome));
+  plot.y = {.min = -0.08 * most, .max = 1.2 * most};
+  Series series{.style = render::neutral_styles(page.theme())[0], .line = false};
   for (const Outcome& outcome : trials.outcomes) {
-    const double left = std::max(1000 * told(trials.kind, outcome), 3e-4);
+    const double left = 1000 * told(trials.kind, outcome);
     series.add(outcome.work, left);
     const auto is_here = [&](const render::PointLabel& label) {
-      return std::abs(outcome.work / label.x - 1) < 0.05 && std::abs(left / label.y - 1) < 0.05;
+      return std::abs(outcome.work / label.x - 1) < 0.05 && std::abs(left - label.y) < 0.1 * most;
     };
     const auto twin = std::find_if(plot.labels.begin(), plot.labels.end(), is_here);
     if (twin == plot.labels.end())
@@ -88,7 +90,7 @@ void draw_sweeps(Page& page, const DefaultRuns& runs) {
   Plot plot{.title = "the load of the bridge sinks by (mm), with so many sweeps in each solve"};
   plot.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 8, .max = 1000};
   plot.y = {.scale = AxisScale::logarithmic, .min = 1, .max = 2000};
-  Series sunk{.style = page.theme().si};
+  Series sunk{.style = render::style_of_solver(page.theme(), "wide")};
   for (const SweepTrial& trial : runs.sweeps) sunk.add(trial.sweeps, 1000 * trial.sunk);
   plot.series = {sunk};
   const Outcome& usual = runs.small[the_bridge].outcomes[nothing_off];
@@ -111,8 +113,8 @@ Plot course_plot(const Page& page, const std::string& title, const List<double>&
     Series& series = plot.series.emplace_back(Series{.name = name, .style = style, .markers = false});
     for (int k = 0; k < metres.size(); ++k) series.add(k + 1, 1000 * metres[k]);
   };
-  add("20 sweeps", page.theme().si, swept_metres);
-  add("newton", page.theme().exact, exact_metres);
+  add("20 sweeps", render::style_of_solver(page.theme(), "wide"), swept_metres);
+  add("newton", render::style_of_solver(page.theme(), "newton"), exact_metres);
   return plot;
 }
 
