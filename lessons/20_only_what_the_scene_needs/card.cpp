@@ -10,7 +10,7 @@ const LessonCard lesson20(
      .idea =
          "The cost of a row update is fixed. You can choose how many there are: which rows are written, how "
          "often they are swept, and whether anything has moved at all.",
-     .paper = "paper 4.4, 5",
+     .paper = "paper 4.4",
      .equations = {"      cost of a step = Σ over islands (rows × sweeps)",
                    "(30)  SI is linear in the rows: half the rows, half the work",
                    "      while not satisfied ...                Algorithm 1: until R_E ≤ the tolerance"},
@@ -36,6 +36,6 @@ const LessonCard lesson20(
                     {"links", 5, 1, 8, "", "of the chain", Parameter::Kind::whole},
                     {"steps", 140, 20, 300, "", "of each run", Parameter::Kind::whole}},
      .cover = 1,
-     .next = "bash lessons/run 21   (solved exactly, and torn all the same)"});
+     .next = "bash lessons/run 21   (light beads under a heavy load)"});
 
 }  // namespace cairn
