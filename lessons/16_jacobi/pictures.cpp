@@ -162,9 +162,10 @@ std::string summands(const List<double>& lambda) {
 Shot last_shot(const FeetRun& run) {
   const List<double>& first = history_of(run, Method::plain).lambda[1];
   const std::string text = fmt::format(
-      "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. Damped, or "
-      "with split masses, Jacobi converges.",
-      fixed(together(first), 1), summands(first));
+      "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. So in sweep "
+      "2 "
+      "all let go: {:.0f} N. Damped, or with split masses, Jacobi converges.",
+      fixed(together(first), 1), summands(first), together(history_of(run, Method::plain).lambda[2]));
   return answer_shot(card(),
                      {.state = "after the first sweep",
                       .alt = "The box after the first sweep: the three pushes, tip to tail, are more than "
