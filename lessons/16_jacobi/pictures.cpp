@@ -104,7 +104,7 @@ void draw_speeds(Page& page, const FeetRun& run) {
   const List<Rect> parts = in_rows(page, {0.62, {0.38, {0.6, 0.4}}});
   Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-8, .max = 1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-10, .max = 1};
   for (const FeetHistory& history : run.histories) {
     List<double> size;
     for (const double speed : history.speed) {
