@@ -14,7 +14,7 @@ const LessonCard lesson20(
      .equations = {"      cost of a step = Σ over islands (rows × sweeps)",
                    "(30)  SI is linear in the rows: half the rows, half the work",
                    "      while not satisfied ...                Algorithm 1: until R_E ≤ the tolerance"},
-     .needs = {"lesson 08", "lesson 11", "lesson 18"},
+     .needs = {"lesson 08", "lesson 11", "lesson 16", "lesson 18"},
      .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
      .question =
          "Pyramid, tower and chain have 100, 40 and 10 rows. Each step takes 50 sweeps over them, or ends as "
