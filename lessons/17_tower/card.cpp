@@ -8,7 +8,7 @@ const LessonCard lesson17(
      .name = "tower",
      .title = "Three solvers, one tower",
      .idea = "PGS, SI, and a third program written elsewhere solve the same tower, with too few sweeps. All "
-             "of them get it wrong. The question is how.",
+             "of them get it wrong, and their wrong numbers are a fingerprint of the algorithm.",
      .paper = "paper 4.5, with Box2D 2.4.1",
      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)          SI and Box2D",
                    "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii    PGS"},
@@ -19,7 +19,7 @@ const LessonCard lesson17(
                  "finds 35.24\u00a0N at the ground and 11.08\u00a0N under box 5. Box2D visits them from the "
                  "top down. It, "
                  "too, finds 35.24\u00a0N at the ground. How many newtons does it find under box 5?",
-     .spoilers = {"6.26", "0.00005", "fingerprint"},
+     .spoilers = {"6.26", "0.00005"},
      .unasked = {"steps"},
      .wrong = {{{11}, {11.2}, "That the load at the ground agrees does not mean that the others do."},
                {{50}, {70}, "Ten sweeps are far too few for the weight above: 60 N."},

@@ -48,7 +48,7 @@ void ask(Page& page, const Camera& camera, const TowerRuns& runs, const List<dou
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   const Rect& view = camera.viewport;
   for (const int box : {0, middle_box(runs)}) {
-    const double base = camera.project({0, box + 0.35}).y();
+    const double base = camera.project({0, box + 0.75}).y();
     const std::string known = fixed(loads[box], 2) + " N";
     for (int e = 1; e <= 2; ++e) {
       TextStyle text{.size = render::large_text, .color = styles[e].color, .bold = true};
@@ -170,7 +170,7 @@ List<Shot> tower_shots(const TowerRuns& runs) {
   for (const bool is_warm : {true, false}) {
     for (int k = 1; k <= last; ++k) {
       shots.push_back(step_shot(runs, is_warm, k));
-      shots.back().key = k == wrong || k == last || (is_warm && k == 1);
+      shots.back().key = k == last || (is_warm && k == wrong);
     }
   }
   const auto draw_answer = [&runs, last](Page& page, const Rect& rect) {

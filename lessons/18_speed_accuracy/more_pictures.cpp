@@ -5,7 +5,7 @@ namespace cairn::cost {
 
 namespace {
 
-constexpr double shown_sweeps = 200;  // of SI, and as many products
+constexpr double charted_sweeps = 200;  // of SI, and as many products
 constexpr double last_error = 1e-6;
 
 /// Every curve's errors against its sweeps, or against the products that these take: where each sweep leaves
@@ -14,7 +14,7 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
   const std::string what = is_work ? "products" : "sweeps";
   const double work = is_work ? run.curves[si_curve].work : 1;
   Plot plot{.title = "error against " + what,
-            .x = {.title = what, .min = 0, .max = shown_sweeps * work},
+            .x = {.title = what, .min = 0, .max = charted_sweeps * work},
             .y = {.title = "", .scale = AxisScale::logarithmic, .min = last_error, .max = 2}};
   for (int which = 0; which < run.curves.size(); ++which) {
     const Curve& curve = run.curves[which];
@@ -27,9 +27,9 @@ void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work)
     }
   }
   if (is_work) {
-    const double n = run.settings.boxes, elimination = (n * n * n - n) / 3 + n * n;
+    const double elimination = 5.0 * run.settings.boxes - 4;
     plot.front = {.x = {elimination, elimination}, .y = {last_error / 2, 2}};
-    plot.labels = {{elimination, 1e-4, "elimination, full A"}};
+    plot.labels = {{elimination, 1e-4, "elimination, all digits"}};
   }
   draw_plot(page, rect, plot);
 }
