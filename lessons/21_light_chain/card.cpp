@@ -20,7 +20,7 @@ const LessonCard lesson21(
          "50\u00a0kg. Under ten sweeps a step (Δt = 0.02\u00a0s) they go to pieces. Which one of these holds "
          "them: (1) 1000 times the sweeps, (2) an exact solver, (3) steps of a quarter, (4) beads of "
          "twice the mass?",
-     .spoilers = {"12.2", "12.5", "geometric"},
+     .spoilers = {"12.21", "12.5", "geometric"},
      .unasked = {"beads"},
      .wrong = {{{1}, {1}, "With 10 000 sweeps the rows are solved, and the chain is lost all the same."},
                {{2}, {2}, "No row has an error left then, and the chain is lost all the same."},
