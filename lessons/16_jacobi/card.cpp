@@ -21,23 +21,25 @@ const LessonCard lesson16(
                "src/solvers/row_order.hpp"},
      .question =
          "A box of 6\u00a0kg (60\u00a0N) with an inertia of 1\u00a0kg\u00a0m² is set down at rest on three "
-         "feet: "
-         "one under its "
-         "middle, one 0.25\u00a0m to either side. Gravity has acted for one step. Each foot pushes as if it "
-         "were "
-         "alone, and all push together. "
-         "How much "
-         "do they push together in the first sweep?",
+         "feet: one under its middle, one 0.25\u00a0m to either side. Gravity has acted for one step. Each "
+         "foot "
+         "pushes as if it were alone, and all push together. What is the sum of their pushes after the first "
+         "sweep, and after the second?",
      .spoilers = {"147.3", "0.291", "27/11"},
      .unasked = {"omega", "base"},
-     .wrong = {{{59}, {61}, "So much they push if each knows of the others. Here none does."},
-               {{179},
-                {181},
+     .wrong = {{{59, 0}, {61, 400}, "So much they push if each knows of the others. Here none does."},
+               {{179, 0},
+                {181, 400},
                 "Only the middle foot takes the whole weight. A push off the middle also "
-                "turns the box, so it takes less."}},
+                "turns the box, so it takes less."},
+               {{146, 20},
+                {149, 400},
+                "After the first sweep the box goes up. What does each foot ask for then?"}},
      .hints = {"The foot in the middle, alone, stops the whole fall: 60 N.",
                "A foot at the side also turns the box, so it stops its own point with less.",
-               "A_ii = 1/6 + r²/1, for three feet with r = −0.25, 0, 0.25 m; each gives 10 / A_ii newtons."},
+               "A_ii = 1/6 + r²/1, for three feet with r = −0.25, 0, 0.25 m; each gives 10 / A_ii newtons. "
+               "Then the box "
+               "goes up, and a contact cannot pull."},
      .parameters = {{"feet", 3, 2, 8, "", "feet under the box", Parameter::Kind::whole},
                     {"omega", 0.3, 0.1, 1, "", "share of each correction that damped Jacobi gives"},
                     {"base", 4, 2, 6, "", "boxes in the pyramid's lowest row", Parameter::Kind::whole}},

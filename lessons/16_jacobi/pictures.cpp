@@ -104,7 +104,7 @@ void draw_speeds(Page& page, const FeetRun& run) {
   const List<Rect> parts = in_rows(page, {0.62, {0.38, {0.6, 0.4}}});
   Plot plot{.title = "|v| of the box after each sweep (m/s), on a logarithmic axis"};
   plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-8, .max = 1};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-10, .max = 1};
   for (const FeetHistory& history : run.histories) {
     List<double> size;
     for (const double speed : history.speed) {
@@ -130,7 +130,7 @@ void draw_speeds(Page& page, const FeetRun& run) {
   }
   page.table(parts[1], "", table);
   page.note(parts[2], "What decides",
-            "One sweep leaves 1 − q of the speed. q = 1: done at once; q < 2: "
+            "One sweep leaves 1 − q of the speed. q = 1: done in one sweep; q < 2: "
             "converges; q > 2: grows, or never ends.");
 }
 
@@ -162,9 +162,10 @@ std::string summands(const List<double>& lambda) {
 Shot last_shot(const FeetRun& run) {
   const List<double>& first = history_of(run, Method::plain).lambda[1];
   const std::string text = fmt::format(
-      "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. Damped, or "
-      "with split masses, Jacobi converges.",
-      fixed(together(first), 1), summands(first));
+      "{} N: {}. Each foot stops the whole fall, as if it were alone, and the box is thrown up. So in sweep "
+      "2 "
+      "all let go: {:.0f} N. Damped, or with split masses, Jacobi converges.",
+      fixed(together(first), 1), summands(first), together(history_of(run, Method::plain).lambda[2]));
   return answer_shot(card(),
                      {.state = "after the first sweep",
                       .alt = "The box after the first sweep: the three pushes, tip to tail, are more than "

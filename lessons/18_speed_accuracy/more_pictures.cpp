@@ -5,33 +5,31 @@ namespace cairn::cost {
 
 namespace {
 
-constexpr double first_sweep = 3;  // of the curves: before it all errors are nearly 1
+constexpr double charted_sweeps = 200;  // of SI, and as many products
 constexpr double last_error = 1e-6;
 
-/// Every curve's errors against its sweeps, or against the products that these take; sparsely, as the
-/// axis is logarithmic.
+/// Every curve's errors against its sweeps, or against the products that these take: where each sweep leaves
+/// the same share, a straight line.
 void draw_digits(Page& page, const Rect& rect, const CostRun& run, bool is_work) {
   const std::string what = is_work ? "products" : "sweeps";
   const double work = is_work ? run.curves[si_curve].work : 1;
   Plot plot{.title = "error against " + what,
-            .x = {.title = what, .scale = AxisScale::logarithmic, .min = first_sweep * work},
+            .x = {.title = what, .min = 0, .max = charted_sweeps * work},
             .y = {.title = "", .scale = AxisScale::logarithmic, .min = last_error, .max = 2}};
   for (int which = 0; which < run.curves.size(); ++which) {
     const Curve& curve = run.curves[which];
     Series& series = plot.series.emplace_back();
     series.name = short_name(run, which);
     series.style = style_of(page, which);
-    double next = first_sweep;
-    for (int k = 1; k < curve.error.size() && curve.error[k] > last_error / 10; ++k) {
-      if (k < next) continue;
-      next = std::max(k + 1.0, k * 1.03);
-      series.add((is_work ? curve.work : 1) * k, curve.error[k]);
+    for (int k = 0; k < curve.error.size() && curve.error[k] > last_error / 10; ++k) {
+      const double at = (is_work ? curve.work : 1) * k;
+      if (at <= plot.x.max) series.add(at, curve.error[k]);
     }
   }
   if (is_work) {
-    const double n = run.settings.boxes, elimination = (n * n * n - n) / 3 + n * n;
+    const double elimination = 5.0 * run.settings.boxes - 4;
     plot.front = {.x = {elimination, elimination}, .y = {last_error / 2, 2}};
-    plot.labels = {{elimination, 1e-4, "elimination, full A"}};
+    plot.labels = {{elimination, 1e-4, "elimination, all digits"}};
   }
   draw_plot(page, rect, plot);
 }
@@ -67,9 +65,9 @@ void draw_precision(Page& page, const CostRun& run) {
   Plot plot{.title = "error of λ, sweep by sweep"};
   plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
-  const SeriesStyle single{page.theme().exact.color, {2, 5}, Marker::diamond};
-  plot.series = {over_steps("float", single, run.single.error),
-                 over_steps("double", page.theme().si, run.pgs.error)};
+  const List<SeriesStyle> looks = render::neutral_styles(page.theme());
+  plot.series = {over_steps("float", looks[2], run.single.error),
+                 over_steps("double", looks[0], run.pgs.error)};
   draw_plot(page, halves[0], plot);
   const std::string least = significant(run.single.error.back(), 2);
   page.note(

@@ -97,11 +97,11 @@ void draw_question(Page& page, const Rect& rect, const CostRun& run) {
   for (const int sweep : {tenth, hundredth}) plot.series[1].add(sweep, error[sweep]);
   plot.labels = {{static_cast<double>(tenth), error[tenth], point_text(tenth, "10 %")},
                  {static_cast<double>(hundredth), error[hundredth], point_text(hundredth, "1 %")}};
-  plot.title = "error of SI";
+  plot.title = fmt::format("error of SI; with ω = {}: ? sweeps to 1 %", fixed(run.omega, 2));
   draw_plot(page, parts[1], plot);
 }
 
-/// SI's error until a billionth is left, and a stair of which each step is one digit.
+/// The errors of SI and SOR until a billionth is left, and a stair of which each step is one digit of SI.
 void draw_answer(Page& page, const Rect& rect, const CostRun& run) {
   const List<double>& error = run.curves[si_curve].error;
   Plot plot = error_plot(1.15 * sweeps_to(error, least_asked), AxisScale::logarithmic, least_asked / 2);
@@ -120,21 +120,31 @@ void draw_answer(Page& page, const Rect& rect, const CostRun& run) {
     if (digit == 9) plot.labels.push_back({sweep, share, point_text(static_cast<int>(sweep), "10^{−9}")});
     before = sweep;
   }
-  plot.series = {series_of(page, run, si_curve, static_cast<int>(before)), stair};
-  plot.series[0].name.clear();
-  plot.series[0].markers = false;
-  plot.title = "error of SI, on a logarithmic axis: every step down is one digit";
+  plot.series = {series_of(page, run, si_curve, static_cast<int>(before)), stair,
+                 series_of(page, run, sor_curve, sweeps_to(run.curves[sor_curve].error, least_asked))};
+  for (const int which : {0, 2}) {
+    plot.series[which].name.clear();
+    plot.series[which].markers = false;
+  }
+  const List<double>& fast = run.curves[sor_curve].error;
+  for (const double left : {0.01, least_asked}) {
+    const int sweep = sweeps_to(fast, left);
+    plot.labels.push_back(
+        {static_cast<double>(sweep), left, point_text(sweep, left > least_asked ? "1 %" : "10^{−9}")});
+  }
+  plot.title = fmt::format("error of SOR with ω = {} (left) and of SI; every step down is one digit",
+                           fixed(run.omega, 2));
   draw_plot(page, rect, plot);
 }
 
 std::string answer_text(const CostRun& run) {
-  const Curve& si = run.curves[si_curve];
-  const int tenth = sweeps_to(si.error, 0.1);
+  const Curve &si = run.curves[si_curve], &sor = run.curves[sor_curve];
   return fmt::format(
-      "{} sweeps: each leaves the same {} of the error, however small it is. The first digit costs {}, the "
-      "second {}, and so does every digit after it. With the best ω it is {}.",
-      sweeps_to(si.error, least_asked), fixed(si.rate, 4), tenth, sweeps_to(si.error, 0.01) - tenth,
-      fixed(std::log(10) / -std::log(run.best_omega - 1), 1));
+      "{} sweeps. Each of SI leaves {} of the error, however small it is, so every digit costs {} sweeps. "
+      "With "
+      "the best ω it is {}.",
+      sweeps_to(sor.error, 0.01), fixed(si.rate, 4), fixed(sweeps_per_digit(si), 0),
+      fixed(sweeps_per_digit(sor), 1));
 }
 
 }  // namespace
@@ -167,9 +177,8 @@ List<Shot> cost_shots(const CostRun& run) {
   shots.push_back(
       answer_shot(card(),
                   {.state = "answer",
-                   .alt = "SI's error until a billionth of it is left: a line on a logarithmic axis, along "
-                          "which every digit "
-                          "takes as many sweeps; and the answer.",
+                   .alt = "The errors of SI and of SOR until a billionth is left, two lines on a logarithmic "
+                          "axis, that of SOR twelve times as steep; and the answer.",
                    .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
                   answer_text(run)));
   return shots;

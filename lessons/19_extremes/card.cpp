@@ -6,9 +6,9 @@ namespace cairn {
 const LessonCard lesson19(
     {.number = 19,
      .name = "extremes",
-     .title = "Extremes",
-     .idea = "Every method has limits. You can often compute where they lie. To notice that a simulation has "
-             "passed one, you need to know where to look.",
+     .title = "Heavy on light",
+     .idea = "Two boxes, one upon the other: how many sweeps they take depends on which of them is heavy. A "
+             "formula says how many, before anything moves.",
      .paper = "paper 4.5, eq (7), (14), (22)",
      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         two boxes, R = mass above / mass below:",
                    "      error after k sweeps = (R / (1 + R))ᵏ  about 4.6 R sweeps to 1 %",
@@ -33,7 +33,7 @@ const LessonCard lesson19(
                     {"sweeps", 10, 1, 200, "", "sweeps of SI in every step", Parameter::Kind::whole},
                     {"bodies", 50, 2, 80, "", "boxes in the tower", Parameter::Kind::whole},
                     {"speed", 45, 1, 300, "m/s",
-                     "of a ball that flies at a wall; another is ten times as fast"},
+                     "of a ball that flies at a heavy plate; another is ten times as fast"},
                     {"beta", 2.1, 0, 2.5, "", "share of the pin's error that a step removes"},
                     {"turn", 0.5, 0.001, 3, "rad", "angle by which the sling turns in a step"}},
      .cover = 1,

@@ -53,26 +53,20 @@ void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep
   draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1), counts[1]);
 }
 
-/// The error of both stacks; what is beyond the sweep is pale, and where each is right is marked with its
-/// number once it is there.
+/// The error of the stack with the heavy box above, and where it is right; the other is right after a sweep.
 void draw_errors(Page& page, const Rect& rect, const ExtremesRun& run, int sweep) {
-  Plot plot{.title = "error of the load on the ground (%)"};
-  const int last = run_of(run.ratios, run.settings.ratio).counted;
-  plot.x = {.title = "sweep", .min = -0.03 * last, .max = 1.08 * last};
+  const RatioRun& heavy = run_of(run.ratios, run.settings.ratio);
+  const int last = heavy.counted;
+  Plot plot{.title = "error of the load on the ground (%), " + name_of(heavy.ratio)};
+  plot.x = {.title = "sweep", .min = 0, .max = 1.08 * last};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 0.5, .max = 120};
-  for (const double ratio : {run.settings.ratio, 1 / run.settings.ratio}) {
-    const RatioRun& each = run_of(run.ratios, ratio);
-    Series& series = plot.series.emplace_back();
-    series.style = style_of(page, ratio);
-    series.markers = false;
-    for (int k = 0; k < each.error.size() && each.error[k] > 0; ++k) {
-      series.add(k, 100 * each.error[k]);
-      if (series.y.back() < 0.1) break;  // below the axis
-    }
-    if (sweep < each.counted) continue;
-    plot.labels.push_back({static_cast<double>(each.counted), 100 * each.error[each.counted],
-                           fmt::format("{}: {}", name_of(ratio), sweeps_text(each.counted))});
-  }
+  Series& series = plot.series.emplace_back();
+  series.style = style_of(page, heavy.ratio);
+  series.markers = false;
+  for (int k = 0; k < heavy.error.size() && 100 * heavy.error[k] > 0.5; ++k)
+    series.add(k, 100 * heavy.error[k]);
+  if (sweep >= last)
+    plot.labels.push_back({static_cast<double>(last), 100 * heavy.error[last], sweeps_text(last)});
   plot.now = sweep;
   plot.goals.push_back({100 * goal, "1 %"});
   draw_plot(page, rect, plot);
@@ -100,7 +94,7 @@ List<std::string> counts_at(const ExtremesRun& run, int sweep) {
 
 void draw_sweep(Page& page, const ExtremesRun& run, int sweep) {
   const List<Rect> parts = in_columns(page, {{0.54, {0.6, 0.4}}, 0.46});
-  draw_stacks(page, parts[0], run, sweep, {"", ""});
+  draw_stacks(page, parts[0], run, sweep, counts_at(run, sweep));
   draw_errors(page, parts[2], run, sweep);
   page.equation(parts[1], equation_of(page, run, sweep));
 }
@@ -159,8 +153,8 @@ void draw_map(Page& page, const ExtremesRun& run) {
   draw_matrix(page, page.panel(parts[0], ""), map_of(run));
   draw_needed(page, parts[1], run);
   page.note(parts[2], "What decides",
-            "A sweep leaves R / (1 + R) of the error, where R is the mass above over the mass below. "
-            "The line is ln 100 / ln(1 + 1/R), about 4.6R; the squares are measured.");
+            "A sweep leaves R / (1 + R) of the error, with R = mass above / mass below. The line is "
+            "ln 100 / ln(1 + 1/R), about 4.6 R; the squares are measured.");
 }
 
 /// The two stacks, sweep by sweep, and the map of all ratios.

@@ -80,7 +80,7 @@ void check_wall(Lesson& lesson, const ExtremesRun& run) {
                      first_step_by_formula(turn), 16 * epsilon * (1 + turn));
   // It may keep the slop of 5 mm.
   for (const int each : {ball, fast_ball})
-    lesson.check_small(run.wall[each].name + ": depth in the wall (m)",
+    lesson.check_small(run.wall[each].name + ": depth in the plate (m)",
                        worst(run.wall[each].off_by_step, run.settings.steps) * 2 * ball_radius, 0.0051);
   double pins = 0;
   for (int k = 0; k <= run.settings.steps; ++k)

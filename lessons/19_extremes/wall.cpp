@@ -7,7 +7,7 @@ namespace cairn::edges {
 
 namespace {
 
-const double wall_thickness = 0.1;  // [m]
+const double plate_thickness = 0.1;  // [m]
 
 SceneSettings resting() {
   return {
@@ -42,20 +42,21 @@ SmallWorld tower(const WallSettings& settings) {
   return stack(fmt::format("tower of {}", settings.boxes), std::move(scene), settings.boxes, settings.boxes);
 }
 
-/// The wall could move, but it is heavy. At 45 m/s the ball's last place before it is 0.15 m away from it,
+/// The plate could move, but it is heavy. At 45 m/s the ball's last place before it is 0.15 m away from it,
 /// and the next one would have its middle behind it.
 SmallWorld shot(double speed) {
   Scene scene(weightless(0.2));
-  scene.add({.shapes = {box(wall_thickness, 2)}, .mass = 1000, .fixed_rotation = true});
+  scene.add({.shapes = {box(plate_thickness, 2)}, .mass = 1000, .fixed_rotation = true});
   scene.add({.shapes = {circle(ball_radius)}, .position = {-5.2, 0}, .velocity = {speed, 0}, .mass = 1});
-  SmallWorld world{.edge = {.name = fmt::format("ball, {:g} m/s", speed), .quantity = "the ball (front)"},
-                   .scene = std::move(scene)};
+  SmallWorld world{
+      .edge = {.name = fmt::format("ball on a plate, {:g} m/s", speed), .quantity = "the ball (front)"},
+      .scene = std::move(scene)};
   world.budget = 0.5 * speed * speed;
   world.off = [](const Snapshot& now) {
-    const double face = now.bodies[{1}].pose.position.x() - wall_thickness / 2;
+    const double face = now.bodies[{1}].pose.position.x() - plate_thickness / 2;
     return std::max(0.0, place_of(now).x() + ball_radius - face) / (2 * ball_radius);
   };
-  world.edge.view = {{-2.6, -1.5}, {2.6, 1.5}};  // the wall in the middle
+  world.edge.view = {{-2.6, -1.5}, {2.6, 1.5}};  // the plate in the middle
   return world;
 }
 
@@ -64,9 +65,9 @@ SmallWorld pulled_back(const WallSettings& settings) {
   const BodyId body = scene.add({.shapes = {box(0.4, 0.4)}, .mass = 1});
   scene.join<RevoluteJoint>({.a = ground, .b = body});
   displace(scene, body, {pin_error, 0});
-  SmallWorld world{
-      .edge = {.name = fmt::format("pin, β = {:g}", settings.beta), .quantity = "the first error"},
-      .scene = std::move(scene)};
+  SmallWorld world{.edge = {.name = fmt::format("pin, β = {:g}", settings.beta),
+                            .quantity = fmt::format("the first {:g} cm", 100 * pin_error)},
+                   .scene = std::move(scene)};
   world.budget = std::numeric_limits<double>::infinity();
   world.off = [](const Snapshot& now) { return place_of(now).norm() / pin_error; };
   world.edge.view = {{-0.4, -0.4}, {0.8, 0.4}};

@@ -66,6 +66,11 @@ List<std::string> measured_lines(const ExtremesRun& run, int which, int step) {
   const EdgeCase& edge = run.wall[which];
   const double off = worst(edge.off_by_step, step), energy = worst(edge.energy_by_step, step);
   List<std::string> lines = {fmt::format("off by {} {}", share_text(off), edge.quantity)};
+  if (edge.top > 0 && off > 0.001) {
+    const auto at = std::max_element(edge.off_by_step.begin(), edge.off_by_step.begin() + step + 1);
+    const Snapshot& then = edge.frames[static_cast<int>(at - edge.off_by_step.begin())];
+    lines[0] += then.bodies.back().pose.position.y() + 0.5 > edge.top ? ", upwards" : ", downwards";
+  }
   if (energy > 0.01) lines.push_back("energy +" + fixed(100 * energy, 1) + " %");
   if (which == two_pins)
     lines.push_back(fmt::format("each pulls: {} kN", significant(pull_of(edge, step) / 1000, 3)));
@@ -92,7 +97,7 @@ void draw_edge(Page& page, const Rect& rect, const ExtremesRun& run, int which, 
   if (edge.top > 0) draw_top(page, camera, edge);
   page.canvas().pop_clip();
   if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
-  if (which == ball) page.avoid({camera.project({0, -1.3}), camera.project({0, 1.3})});  // the wall
+  if (which == ball) page.avoid({camera.project({0, -1.3}), camera.project({0, 1.3})});  // the plate
   if (which == ball || which == pin) draw_unseen(page, camera, now, look);
   const double base = inside.y + inside.height - 0.35 * page.sizes().tick;
   const List<std::string> lines = measured_lines(run, which, step);

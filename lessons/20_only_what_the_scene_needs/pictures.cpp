@@ -6,12 +6,11 @@ namespace cairn::needs {
 
 namespace {
 
-/// The runs that the question compares, and sleep, have looks of their own.
+/// The runs that the question compares have looks of their own.
 SeriesStyle style_of(const Page& page, int run) {
   const List<SeriesStyle> styles = render::neutral_styles(page.theme());
   if (run == early) return styles[0];
-  if (run == by_islands) return styles[1];
-  return run == sleeping ? styles[2] : SeriesStyle{.color = page.theme().body};
+  return run == by_islands ? styles[1] : SeriesStyle{.color = page.theme().body};
 }
 
 /// Horizontal bars, a number for each switch.
@@ -61,7 +60,7 @@ void draw_shares(Page& page, const Rect& rect, const NeedsRun& all) {
 void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
   Plot plot{.title = "row updates, step by step"};
   plot.x = {.title = "step", .min = 0, .max = all.settings.steps};
-  for (const int i : {early, by_islands, sleeping}) {
+  for (const int i : {early, by_islands}) {
     Series series{.name = all.runs[i].switches.name, .style = style_of(page, i), .markers = false};
     for (int k = 0; k < all.settings.steps; ++k) {
       const auto updates = static_cast<double>(all.runs[i].steps[k].updates);
@@ -99,25 +98,20 @@ Shot step_shot(const NeedsRun& all, int step, bool key) {
           .key = key};
 }
 
-std::string millimetres(double metres) { return fixed(1000 * metres, metres < 0.1 ? 1 : 0); }
-
-void draw_table(Page& page, const NeedsRun& all) {
-  TableView table;
-  table.header = {"switch",          "rows",          "fewest", "updates a step", "of all",
-                  "off before (mm)", "off after (mm)"};
-  for (int i = 0; i < all.runs.size(); ++i) {
-    const BillRun& run = all.runs[i];
-    table.rows.push_back(
-        {run.switches.name, fmt::format("{}", run.steps[0].rows), fmt::format("{}", least_rows(run)),
-         fmt::format("{}", run.updates / all.settings.steps), fixed(share_of(all, i), 0) + " %",
-         millimetres(run.off_before), millimetres(run.off_after)});
-  }
-  const List<Rect> parts = in_rows(page, {0.62, 0.38});
-  page.table(parts[0], "rows of the first step, and the fewest of any step; updates; what it costs", table);
-  page.note(parts[1], "How far off",
-            "How far bodies are from their places in a run with all rows, swept to R_{E} = 10^{−6}: any body "
-            "before the ball hits (it is the top of the tower, which leans), boxes of the pyramid after it.",
-            question_growth);
+/// What each switch saves, and how much farther off it leaves bodies before the ball hits.
+void draw_prices(Page& page, const NeedsRun& all) {
+  const double usual = all.runs[everything].off_before;
+  List<double> prices;
+  for (const BillRun& run : all.runs) prices.push_back(1000 * std::max(0.0, run.off_before - usual));
+  const List<Rect> parts = in_rows(page, {{0.66, {1, 1}}, 0.34});
+  draw_shares(page, parts[0], all);
+  draw_amounts(page, parts[1], "price: farther off by, before the ball hits", all, prices, " mm");
+  page.note(
+      parts[2], "Farther off",
+      fmt::format("With every row and every sweep the top of the tower is {} mm from its place in a run "
+                  "swept to R_{{E}} = 10^{{−6}}. Ending early adds nothing to that. One friction row for two "
+                  "adds a little, and no friction as much, until the ball comes.",
+                  fixed(1000 * usual, 1)));
 }
 
 /// What becomes of the pyramid without friction, beside what should.
@@ -127,8 +121,8 @@ void draw_ruin(Page& page, const NeedsRun& all) {
   draw_pyramid(page, parts[1], all, no_friction);
   page.note(
       parts[2], "No friction",
-      fmt::format("It saves nearly half of the row updates, and until the ball comes nothing needs the rows "
-                  "that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
+      fmt::format("It saves nearly half of the row updates, and until the ball comes little is lost without "
+                  "the rows that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
                   fixed(off_at_end(all, no_friction, farthest_box(all, no_friction)), 2)),
       question_growth);
 }
@@ -176,9 +170,11 @@ List<Shot> needs_shots(const NeedsRun& all) {
   std::set<int> steps = keys;
   for (int step = 2; step < all.settings.steps; step += 2) steps.insert(step);
   for (const int step : steps) shots.push_back(step_shot(all, step, keys.contains(step)));
-  shots.push_back(key_shot(all, fmt::format("{} steps", all.settings.steps),
-                           "A table: what each switch costs in rows and row updates, and how far it is off.",
-                           draw_table));
+  shots.push_back(
+      key_shot(all, "what it saves, and its price",
+               "Two panels of bars: the row updates that each switch leaves, and how much farther off "
+               "bodies are, 0 to 5 mm.",
+               draw_prices));
   if (all.touch > 0) {
     shots.push_back(key_shot(
         all, fmt::format("step {}, with and without friction", all.settings.steps),

@@ -7,18 +7,24 @@ const LessonCard lesson21(
     {.number = 21,
      .name = "light_chain",
      .title = "A light chain",
-     .idea = "A chain of light beads holds a small load, and goes to pieces under a large one. Whether the "
-             "rows are "
-             "solved well or badly is not what decides.",
+     .idea =
+         "A chain of light beads holds a small load, and goes to pieces under a large one. The border can "
+         "be computed by hand, and says what would help.",
      .paper = "beyond the paper",
      .equations = {"k = f / l                                  a taut rod, pushed sideways",
                    "x(k+1) − 2 x(k) + x(k−1) = −(ω Δt)² x(k)   a swing under semi-implicit Euler"},
      .needs = {"lesson 03", "lesson 13", "lesson 19"},
      .reads = {"src/world/two_solves.cpp", "src/constraints/constraint.hpp"},
-     .question = "Ten beads of 0.1\u00a0kg hang on rods of 0.5\u00a0m, one below the other, at Δt = "
-                 "0.02\u00a0s. Every step is solved exactly. The load at the lower end grows. From how many "
-                 "kilograms on does the chain go to pieces?",
-     .spoilers = {"12.2", "12.5", "geometric"},
+     .question =
+         "Ten beads of 0.1\u00a0kg on rods of 0.5\u00a0m, one below the other, carry "
+         "50\u00a0kg. Under ten sweeps a step (Δt = 0.02\u00a0s) they go to pieces. Which one of these holds "
+         "them: (1) 1000 times the sweeps, (2) an exact solver, (3) steps of a quarter, (4) beads of "
+         "twice the mass?",
+     .spoilers = {"12.21", "12.5", "geometric"},
+     .unasked = {"beads"},
+     .wrong = {{{1}, {1}, "With 10 000 sweeps the rows are solved, and the chain is lost all the same."},
+               {{2}, {2}, "No row has an error left then, and the chain is lost all the same."},
+               {{4}, {4}, "Twice the mass holds twice the load. That would be 24 kg here."}},
      .hints = {"Push one bead aside by x. Which way do the two taut rods pull it, and how hard?",
                "A rod that pulls with f and has the length l is a spring sideways, of f / l. Neighbours that "
                "swing "

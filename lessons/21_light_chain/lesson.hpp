@@ -44,7 +44,7 @@ double load_by_rule(const ChainSettings& settings);
 /// What a step multiplies the fastest swing with: 1 up to ω Δt = 2.
 double growth_by_formula(double angle);
 /// [kg] with which each bead may take part so that ω Δt <= 2, whatever hangs below: never less than its own.
-List<double> masses_needed(const ChainSettings& settings, double share = 1);
+List<double> masses_needed(const ChainSettings& settings);
 
 /// What became of one chain.
 struct ChainRun {
@@ -80,8 +80,11 @@ struct ChainRuns {
   List<Critical> criticals = {};  // dt, dt / 2, dt / 4
   List<Growth> growths = {};
   List<ChainRun> sweeps = {};  // 10, 100, 10 000, and the exact solver
-  List<ChainRun> cures = {};   // half of the mass needed, that mass, four substeps, the default policy
+  List<ChainRun> cures = {};   // exactly solved: in the order below
 };
+
+enum : int { ten_sweeps, hundred_sweeps, many_sweeps, exactly };  // of ChainRuns::sweeps
+enum : int { heavier, enough_mass, quarter_steps, by_default };   // of ChainRuns::cures
 
 // What is printed, checked and drawn.
 

@@ -9,8 +9,8 @@ const LessonCard lesson22(
      .title = "What you get if you ask for nothing",
      .idea =
          "A scene that names no setting gets four substeps, each solved twice, and while it is small with "
-         "all rows at once. Switch off one of these at a time, and see what it was good for.",
-     .paper = "beyond the paper",
+         "all rows at once. Take one part away at a time, and see what it was good for.",
+     .paper = "paper 5, and beyond",
      .equations = {"work of a step = substeps × solves × systems or sweeps × rows × the price of one"},
      .needs = {"lesson 18", "lesson 19", "lesson 21"},
      .reads = {"src/scenes/default_setting.cpp", "lessons/sandbox/CHOOSING.md"},

@@ -31,6 +31,7 @@ void grade_freedoms(Grade& grade) {
                           {27, "A limit stops one direction only: it takes no freedom away."},
                           {24, "A spring gives way: it takes no freedom away."},
                           {21, "A motor gives way above its largest force: it takes no freedom away."},
+                          {17, "Springs and motors give way: they take no freedom away."},
                           {16, "Only rows that never give way count."},
                           {0, "Nothing was counted."}}},
       choose(bodies, rows, 1).freedoms);

@@ -82,7 +82,7 @@ List<Part> parts() {
   return {
       {"default", [](Setting&) {}},
       {"one substep", [](Setting& setting) { setting.substeps = 1; }},
-      {"one solve", [](Setting& setting) { setting.stabilization.policy = StabilizationPolicy::baumgarte; }},
+      {"baumgarte", [](Setting& setting) { setting.stabilization.policy = StabilizationPolicy::baumgarte; }},
       {"one system", [](Setting& setting) { setting.sweeps.iterations = 1; }},
       {"20 sweeps", [](Setting& setting) { setting.solver = "wide"; }}};
   // [/parts]

@@ -38,9 +38,10 @@ struct Part {
   std::function<void(Setting&)> change = {};
 };
 
-/// In this order: nothing, the substeps, the second solve, all systems but the first, all rows at once.
+/// In this order: nothing, the substeps, the second solve with the arcs and the mass of joints, all systems
+/// but the first, all rows at once.
 List<Part> parts();
-enum : int { nothing_off, one_substep, one_solve, one_system, swept };
+enum : int { nothing_off, one_substep, baumgarte, one_system, swept };
 
 /// One scene under one setting.
 struct Outcome {
