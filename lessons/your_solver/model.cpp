@@ -60,8 +60,8 @@ const double infinity = std::numeric_limits<double>::infinity();
 //@ 1
 
 struct Row {
-  int body1 = 0, body2 = 0;                    // places in the list of bodies
-  Vec3 j1 = {}, j2 = {};                       // j (5): three numbers for each body
+  int body_a = 0, body_b = 0;                  // places in the list of bodies
+  Vec3 j_a = {}, j_b = {};                     // j (5): three numbers for each body
   double c = 0;                                // the constraint error (3)
                                                //@ 2
   double bias = 0;                             // ζ, the j·v that the row wants
@@ -75,31 +75,31 @@ struct Row {
 
 // The row of two points that part along the unit vector u; the arms r lead there from the centres of the
 // bodies.
-Row row_along(int body1, Vec2 r1, int body2, Vec2 r2, Vec2 u, double c) {
+Row row_along(int body_a, Vec2 r_a, int body_b, Vec2 r_b, Vec2 u, double c) {
   Row row;
-  row.body1 = body1;
-  row.body2 = body2;
-  row.j1 = {-u.x, -u.y, -cross(r1, u)};
-  row.j2 = {u.x, u.y, cross(r2, u)};
+  row.body_a = body_a;
+  row.body_b = body_b;
+  row.j_a = {-u.x, -u.y, -cross(r_a, u)};
+  row.j_b = {u.x, u.y, cross(r_b, u)};
   row.c = c;
   return row;
 }
 
-// A rod between a point of body 1 and a point of body 2, each in its body's own frame.
-Row rod(const std::vector<Body>& bodies, int body1, Vec2 point1, int body2, Vec2 point2, double length) {
-  const Vec2 r1 = turned(bodies[body1], point1), r2 = turned(bodies[body2], point2);
-  const Vec3 &x1 = bodies[body1].position, &x2 = bodies[body2].position;
-  const Vec2 d = {x2[0] + r2.x - x1[0] - r1.x, x2[1] + r2.y - x1[1] - r1.y};
+// A rod between a point of body a and a point of body b, each in its body's own frame.
+Row rod(const std::vector<Body>& bodies, int body_a, Vec2 point_a, int body_b, Vec2 point_b, double length) {
+  const Vec2 r_a = turned(bodies[body_a], point_a), r_b = turned(bodies[body_b], point_b);
+  const Vec3 &x_a = bodies[body_a].position, &x_b = bodies[body_b].position;
+  const Vec2 d = {x_b[0] + r_b.x - x_a[0] - r_a.x, x_b[1] + r_b.y - x_a[1] - r_a.y};
   const double distance = std::hypot(d.x, d.y);
-  return row_along(body1, r1, body2, r2, {d.x / distance, d.y / distance}, distance - length);
+  return row_along(body_a, r_a, body_b, r_b, {d.x / distance, d.y / distance}, distance - length);
 }
 //@ 3
 
-// A point where body 2 touches body 1: it may push the two apart along the normal, which leads from 1 to 2.
-Row contact(const std::vector<Body>& bodies, int body1, int body2, Vec2 point, Vec2 normal, double gap) {
-  const Vec3 &x1 = bodies[body1].position, &x2 = bodies[body2].position;
-  const Vec2 r1 = {point.x - x1[0], point.y - x1[1]}, r2 = {point.x - x2[0], point.y - x2[1]};
-  Row row = row_along(body1, r1, body2, r2, normal, gap);
+// A point where body b touches body a: it may push the two apart along the normal, which leads from a to b.
+Row contact(const std::vector<Body>& bodies, int body_a, int body_b, Vec2 point, Vec2 normal, double gap) {
+  const Vec3 &x_a = bodies[body_a].position, &x_b = bodies[body_b].position;
+  const Vec2 r_a = {point.x - x_a[0], point.y - x_a[1]}, r_b = {point.x - x_b[0], point.y - x_b[1]};
+  Row row = row_along(body_a, r_a, body_b, r_b, normal, gap);
   row.lower = 0;
   return row;
 }
@@ -109,8 +109,8 @@ Row contact(const std::vector<Body>& bodies, int body1, int body2, Vec2 point, V
 double rate(const Row& row, const std::vector<Body>& bodies) {
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
-    sum += row.j1[k] * bodies[row.body1].velocity[k];
-    sum += row.j2[k] * bodies[row.body2].velocity[k];
+    sum += row.j_a[k] * bodies[row.body_a].velocity[k];
+    sum += row.j_b[k] * bodies[row.body_b].velocity[k];
   }
   return sum;
 }
@@ -120,8 +120,8 @@ double rate(const Row& row, const std::vector<Body>& bodies) {
 double effective_mass(const Row& row, const std::vector<Body>& bodies) {
   double inverse = 0;
   for (int k = 0; k < 3; ++k) {
-    inverse += row.j1[k] * row.j1[k] * bodies[row.body1].inverse_mass[k];
-    inverse += row.j2[k] * row.j2[k] * bodies[row.body2].inverse_mass[k];
+    inverse += row.j_a[k] * row.j_a[k] * bodies[row.body_a].inverse_mass[k];
+    inverse += row.j_b[k] * row.j_b[k] * bodies[row.body_b].inverse_mass[k];
   }
   return inverse > 0 ? 1 / inverse : 0;
 }
@@ -134,8 +134,8 @@ double correction(const Row& row, const std::vector<Body>& bodies) {
 // (21) and (19): v ← v + M⁻¹ jᵀ λΔt, for both bodies.
 void apply_impulse(const Row& row, double impulse, std::vector<Body>& bodies) {
   for (int k = 0; k < 3; ++k) {
-    bodies[row.body1].velocity[k] += bodies[row.body1].inverse_mass[k] * row.j1[k] * impulse;
-    bodies[row.body2].velocity[k] += bodies[row.body2].inverse_mass[k] * row.j2[k] * impulse;
+    bodies[row.body_a].velocity[k] += bodies[row.body_a].inverse_mass[k] * row.j_a[k] * impulse;
+    bodies[row.body_b].velocity[k] += bodies[row.body_b].inverse_mass[k] * row.j_b[k] * impulse;
   }
 }
 //@ 9
@@ -157,8 +157,8 @@ struct System {
 
 // A row's three numbers for a body; zeros for a body that it does not touch.
 Vec3 numbers_for(const Row& row, int body) {
-  if (body == row.body1) return row.j1;
-  if (body == row.body2) return row.j2;
+  if (body == row.body_a) return row.j_a;
+  if (body == row.body_b) return row.j_b;
   return {};
 }
 
@@ -168,7 +168,7 @@ System build(const std::vector<Row>& rows, const std::vector<Body>& bodies, doub
     std::vector<double>& entries = system.A.emplace_back();
     for (const Row& other : rows) {
       double& entry = entries.emplace_back(0);
-      for (const int body : {row.body1, row.body2})
+      for (const int body : {row.body_a, row.body_b})
         for (int k = 0; k < 3; ++k)
           entry += numbers_for(row, body)[k] * bodies[body].inverse_mass[k] * numbers_for(other, body)[k];
     }

@@ -34,8 +34,8 @@ static void grade_box(cairn::Grade& grade) {
                make_box(10, 1, 0, 0, -0.5).inverse_mass[2]);
 }
 
-static void grade_falling(cairn::Grade& grade) {
-  const double g = 10, dt = 0.05;
+/// Gravity on boxes and on the ground: the bodies after it.
+static std::vector<Body> grade_gravity(cairn::Grade& grade, double g, double dt) {
   std::vector<Body> bodies = {make_box(1, 1, 0.5, 0, 3), make_box(10, 1, 0, 0, -0.5),
                               make_box(1, 1, 2, 0, 5)};
   bodies[0].velocity = {4, 3, -2};
@@ -62,6 +62,12 @@ static void grade_falling(cairn::Grade& grade) {
                bodies[0].velocity[0]);
   grade.number({"its angular velocity (rad/s)", -2, {{-2 - g * dt, "Gravity does not turn a body."}}},
                bodies[0].velocity[2]);
+  return bodies;
+}
+
+static void grade_falling(cairn::Grade& grade) {
+  const double g = 10, dt = 0.05;
+  std::vector<Body> bodies = grade_gravity(grade, g, dt);
   bodies[0].velocity[0] = 4, bodies[0].velocity[2] = -2;
   move_bodies(bodies, dt);
   const double y = 3 + (3 - g * dt) * dt, turn = -2 * dt;

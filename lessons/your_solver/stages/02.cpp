@@ -11,45 +11,47 @@ static std::vector<Body> two_masses() {
   return bodies;
 }
 
-static Row slanted_row(int body1, int body2) {
+static Row slanted_row(int body_a, int body_b) {
   Row row;
-  row.body1 = body1;
-  row.body2 = body2;
-  row.j1 = {-0.6, 0.8, 0.25};
-  row.j2 = {0.6, -0.8, 0.5};
+  row.body_a = body_a;
+  row.body_b = body_b;
+  row.j_a = {-0.6, 0.8, 0.25};
+  row.j_b = {0.6, -0.8, 0.5};
   return row;
 }
 
 // j M⁻¹ jᵀ of that row: (0.36 + 0.64)/m + turn²/I for each body.
-static const double slanted_part1 = 0.5 + 0.0625 * 3;
-static const double slanted_part2 = 2 + 0.25 * 12;
+static const double slanted_part_a = 0.5 + 0.0625 * 3;
+static const double slanted_part_b = 2 + 0.25 * 12;
 static const double slanted_rate = (-0.6 * 1 + 0.25 * 2) + (-0.8 * -3 + 0.5 * -1);
 
 static void grade_effective_mass(cairn::Grade& grade) {
   const std::vector<Body> bodies = two_masses();
-  const double inverse = slanted_part1 + slanted_part2, mass = effective_mass(slanted_row(1, 2), bodies);
-  const double plain_part1 = (-0.6 + 0.8) * 0.5 + 0.25 * 3;  // as if j stood once in each product
-  const double plain_part2 = (0.6 - 0.8) * 2 + 0.5 * 12;
+  const double inverse = slanted_part_a + slanted_part_b, mass = effective_mass(slanted_row(1, 2), bodies);
+  const double plain_part_a = (-0.6 + 0.8) * 0.5 + 0.25 * 3;  // as if j stood once in each product
+  const double plain_part_b = (0.6 - 0.8) * 2 + 0.5 * 12;
   grade.number(
       {"effective mass of a row between 2 kg and 0.5 kg (kg)",
        1 / inverse,
        {{inverse, "That is j M⁻¹ jᵀ: the effective mass is its inverse."},
-        {1 / slanted_part2, "Body 1 is missing: both bodies give way."},
-        {1 / slanted_part1, "Body 2 is missing: both bodies give way."},
+        {1 / slanted_part_b, "Body a is missing: both bodies give way."},
+        {1 / slanted_part_a, "Body b is missing: both bodies give way."},
         {1 / 2.5, "The turn is missing: a push beside the centre turns the body, too."},
         {1 / (1 + 0.0625 + 1 + 0.25), "The inverse masses are missing: j M⁻¹ jᵀ, not j jᵀ."},
         {1 / (2 + 0.0625 / 3 + 0.5 + 0.25 / 12), "Those are the masses: j M⁻¹ jᵀ has their inverses."},
-        {1 / (1 + 0.0625 + slanted_part2), "The inverse masses of body 1 are missing."},
-        {1 / (slanted_part1 + 1 + 0.25), "The inverse masses of body 2 are missing."},
-        {1 / (2 + 0.0625 / 3 + slanted_part2),
-         "Body 1 comes in with its masses, and not with their inverses."},
-        {1 / (slanted_part1 + 0.5 + 0.25 / 12),
-         "Body 2 comes in with its masses, and not with their inverses."},
-        {1 / (plain_part1 + plain_part2), "j is not squared: each product has the number of j twice."},
-        {1 / (plain_part1 + slanted_part2), "j1 is not squared: each product has the number of j twice."},
-        {1 / (slanted_part1 + plain_part2), "j2 is not squared: each product has the number of j twice."},
-        {1 / (0.5 + slanted_part2), "The turn of body 1 is missing: a push beside its centre turns it, too."},
-        {1 / (slanted_part1 + 2), "The turn of body 2 is missing: a push beside its centre turns it, too."}}},
+        {1 / (1 + 0.0625 + slanted_part_b), "The inverse masses of body a are missing."},
+        {1 / (slanted_part_a + 1 + 0.25), "The inverse masses of body b are missing."},
+        {1 / (2 + 0.0625 / 3 + slanted_part_b),
+         "Body a comes in with its masses, and not with their inverses."},
+        {1 / (slanted_part_a + 0.5 + 0.25 / 12),
+         "Body b comes in with its masses, and not with their inverses."},
+        {1 / (plain_part_a + plain_part_b), "j is not squared: each product has the number of j twice."},
+        {1 / (plain_part_a + slanted_part_b), "j_a is not squared: each product has the number of j twice."},
+        {1 / (slanted_part_a + plain_part_b), "j_b is not squared: each product has the number of j twice."},
+        {1 / (0.5 + slanted_part_b),
+         "The turn of body a is missing: a push beside its centre turns it, too."},
+        {1 / (slanted_part_a + 2),
+         "The turn of body b is missing: a push beside its centre turns it, too."}}},
       mass);
   char words[160] = "";
   std::snprintf(words, sizeof words,
@@ -57,7 +59,7 @@ static void grade_effective_mass(cairn::Grade& grade) {
                 mass * inverse);
   grade.explain(words);
   grade.number({"the same between the ground and 0.5 kg (kg)",
-                1 / slanted_part2,
+                1 / slanted_part_b,
                 {{0, "One body can move: the ground only adds nothing to j M⁻¹ jᵀ."}}},
                effective_mass(slanted_row(0, 2), bodies));
   grade.number({"the same between two bodies that cannot move (kg)",
@@ -68,7 +70,7 @@ static void grade_effective_mass(cairn::Grade& grade) {
 
 static void grade_correction(cairn::Grade& grade) {
   const std::vector<Body> bodies = two_masses();
-  const double inverse = slanted_part1 + slanted_part2;
+  const double inverse = slanted_part_a + slanted_part_b;
   grade.number({"correction for that row (N s)",
                 -slanted_rate / inverse,
                 {{slanted_rate / inverse, "The sign: (22) has ζ − j·v, and ζ is 0 here."},
@@ -88,7 +90,7 @@ static void grade_aim(cairn::Grade& grade) {
   grade.number({"bias of a new row (m/s)", 0}, Row().bias);
   Row row = slanted_row(1, 2);
   row.bias = 0.7;
-  const double mass = 1 / (slanted_part1 + slanted_part2);
+  const double mass = 1 / (slanted_part_a + slanted_part_b);
   grade.number({"correction with a bias of 0.7 m/s (N s)",
                 (0.7 - slanted_rate) * mass,
                 {{-slanted_rate * mass, "correction does not use the bias: (ζ − j·v)."},
@@ -117,9 +119,9 @@ static std::string physics_of_push() {
   const bool keeps = std::abs(momentum[0]) + std::abs(momentum[1]) < 1e-9;
   if (!keeps) return "Momentum is not kept: what one body gets, the other has to lose.";
   if (std::abs(angular) < 1e-9) return "";
-  const bool is_body1 = !(std::abs(turn[1] - 0.5 * row.j1[2]) < 1e-9);
+  const bool is_body_a = !(std::abs(turn[1] - 0.5 * row.j_a[2]) < 1e-9);
   return std::string("Momentum is kept, angular momentum is not: look at the turn of body ") +
-         (is_body1 ? "1." : "2.");
+         (is_body_a ? "a." : "b.");
 }
 
 static void grade_push(cairn::Grade& grade) {
@@ -127,34 +129,34 @@ static void grade_push(cairn::Grade& grade) {
   const Row row = slanted_row(1, 2);
   apply_impulse(row, 0.5, bodies);
   const double down = -3 + 2 * -0.8 * 0.5, turn = -1 + 12 * 0.5 * 0.5, other = 1 + 0.5 * -0.6 * 0.5;
-  grade.number({"0.5 N s along that row: v_y of body 2 (m/s)",
+  grade.number({"0.5 N s along that row: v_y of body b (m/s)",
                 down,
                 {{-3 - 0.8 * 0.5, "M⁻¹ is missing: an impulse moves a light body more."},
                  {-3 + 0.8 * 0.5 * 2, "The sign: v ← v + M⁻¹ jᵀ λΔt."},
-                 {-3 - 0.8 * 0.5 / 2, "That is m, or body 1's inverse mass: take that of body 2."},
+                 {-3 - 0.8 * 0.5 / 2, "That is m, or body a's inverse mass: take that of body b."},
                  {-0.8, "Add to the velocity: do not replace it."},
-                 {-3, "Body 2 is missing: the push has two ends."}}},
+                 {-3, "Body b is missing: the push has two ends."}}},
                bodies[2].velocity[1]);
-  grade.number({"ω of body 2 (rad/s)",
+  grade.number({"ω of body b (rad/s)",
                 turn,
                 {{-1, "The turn is missing: j has three numbers a body."},
-                 {-1 + 0.5 * 0.5, "M⁻¹ is missing at the turn of body 2."},
+                 {-1 + 0.5 * 0.5, "M⁻¹ is missing at the turn of body b."},
                  {-1 + 0.5 * 0.5 / 12, "That is I: multiply by the inverse of I."}}},
                bodies[2].velocity[2]);
-  grade.number({"ω of body 1 (rad/s)",
+  grade.number({"ω of body a (rad/s)",
                 2 + 3 * 0.25 * 0.5,
                 {{2, bodies[1].velocity[0] == 1 ? "" : "The turn is missing: j has three numbers a body."},
-                 {2 + 0.25 * 0.5, "M⁻¹ is missing for body 1."},
-                 {2 + 0.25 * 0.5 / 3, "That is I of body 1: multiply by the inverse."},
-                 {2 + 12 * 0.25 * 0.5, "Each body has its own inverse mass: here body 1."},
-                 {2 - 3 * 0.25 * 0.5, "The sign: j1 has its minus already."},
-                 {2 + 3 * 0.5 * 0.5, "Those are the numbers of body 2: body 1 has j1."}}},
+                 {2 + 0.25 * 0.5, "M⁻¹ is missing for body a."},
+                 {2 + 0.25 * 0.5 / 3, "That is I of body a: multiply by the inverse."},
+                 {2 + 12 * 0.25 * 0.5, "Each body has its own inverse mass: here body a."},
+                 {2 - 3 * 0.25 * 0.5, "The sign: j_a has its minus already."},
+                 {2 + 3 * 0.5 * 0.5, "Those are the numbers of body b: body a has j_a."}}},
                bodies[1].velocity[2]);
-  const bool has_j2 = std::abs(bodies[1].velocity[2] - 2.75) < 1e-9;
-  grade.number({"v_x of body 1 (m/s)",
+  const bool has_j_b = std::abs(bodies[1].velocity[2] - 2.75) < 1e-9;
+  grade.number({"v_x of body a (m/s)",
                 other,
-                {{1, "Body 1 is missing: the push has two ends."},
-                 {1 + 0.5 * 0.6 * 0.5, has_j2 ? "" : "The sign: j1 has its minus already."},
+                {{1, "Body a is missing: the push has two ends."},
+                 {1 + 0.5 * 0.6 * 0.5, has_j_b ? "" : "The sign: j_a has its minus already."},
                  {1 + 2 * -0.6 * 0.5, "Each body has its own inverse mass."}}},
                bodies[1].velocity[0]);
   std::vector<Body> stopped = two_masses();

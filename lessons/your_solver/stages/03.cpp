@@ -8,27 +8,27 @@ static void grade_contact(cairn::Grade& grade) {
   grade.number(
       {"a contact that overlaps by 10 mm: c (m)", -0.01, {{0.01, "The sign: overlap is a gap below 0."}}},
       row.c);
-  grade.number({"the contact: j2[1]",
+  grade.number({"the contact: j_b[1]",
                 1,
-                {{-1, "The sign: the normal leads from body 1 to body 2, and c grows that way."}}},
-               row.j2[1]);
-  grade.number({"the contact: j2[2] (m)",
+                {{-1, "The sign: the normal leads from body a to body b, and c grows that way."}}},
+               row.j_b[1]);
+  grade.number({"the contact: j_b[2] (m)",
                 0.5,
                 {{0.75, "The arm begins at the body's centre: subtract it from the point."},
-                 {-2.25, "The arms are swapped: r2 leads to the point from body 2."},
+                 {-2.25, "The arms are swapped: r_b leads to the point from body b."},
                  {-0.5, "r × n is r_x n_y − r_y n_x: the order is reversed."},
                  {0, "A push beside the centre turns the box: r × n."}}},
-               row.j2[2]);
-  grade.number({"the contact: j1[2] (m)",
+               row.j_b[2]);
+  grade.number({"the contact: j_a[2] (m)",
                 2.25,
-                {{-2.25, "The sign: all of j1 has a minus."},
+                {{-2.25, "The sign: all of j_a has a minus."},
                  {-0.75, "The arm begins at the body's centre: subtract it from the point."}}},
-               row.j1[2]);
+               row.j_a[2]);
   const Row beside = contact(bodies, 0, 1, {0.75, 0.75}, {0.6, 0.8}, 0);
-  grade.number({"a contact with the normal (0.6, 0.8): j2[0]",
+  grade.number({"a contact with the normal (0.6, 0.8): j_b[0]",
                 0.6,
-                {{0, row.j2[1] == 1 ? "The normal is given: it need not lead upwards." : ""}}},
-               beside.j2[0]);
+                {{0, row.j_b[1] == 1 ? "The normal is given: it need not lead upwards." : ""}}},
+               beside.j_b[0]);
   const double infinite = 1.0 / 0.0;
   grade.number({"the contact: lower bound (N s)",
                 0,
@@ -46,10 +46,10 @@ static void grade_contact(cairn::Grade& grade) {
 /// The row of two bodies on a line: j·v is how fast the second rises from the first.
 static Row upright_row(int below, int above) {
   Row row;
-  row.body1 = below;
-  row.body2 = above;
-  row.j1 = {0, -1, 0};
-  row.j2 = {0, 1, 0};
+  row.body_a = below;
+  row.body_b = above;
+  row.j_a = {0, -1, 0};
+  row.j_b = {0, 1, 0};
   row.lower = 0;
   return row;
 }
@@ -95,11 +95,9 @@ struct LineTower {
   }
 };
 
-static void grade_tower(cairn::Grade& grade) {
-  const std::vector<double> masses = {2, 0.5, 1};
-  std::vector<Body> bodies = falling_tower(masses, 0.5);
-  std::vector<Row> rows = tower_rows(3);
-  LineTower line(masses, 0.5);
+/// Three boxes after one sweep; `line` is swept beside them.
+static void grade_first_sweep(cairn::Grade& grade, std::vector<Body>& bodies, std::vector<Row>& rows,
+                              LineTower& line) {
   sweep(rows, bodies);
   line.sweep_by_hand();
   grade.number({"tower of 2, 0.5 and 1 kg, one sweep: impulse on the ground (N s)",
@@ -142,6 +140,14 @@ static void grade_tower(cairn::Grade& grade) {
        {{0, rows[1].impulse == 0 ? "" : "The second row pushes the lowest box down again: both ends."},
         {-0.5, "No push has reached the bodies: apply it, to the bodies of the list."}}},
       bodies[1].velocity[1]);
+}
+
+static void grade_tower(cairn::Grade& grade) {
+  const std::vector<double> masses = {2, 0.5, 1};
+  std::vector<Body> bodies = falling_tower(masses, 0.5);
+  std::vector<Row> rows = tower_rows(3);
+  LineTower line(masses, 0.5);
+  grade_first_sweep(grade, bodies, rows, line);
   const double first = line.impulse[1];
   sweep(rows, bodies);
   line.sweep_by_hand();

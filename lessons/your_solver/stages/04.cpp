@@ -52,45 +52,28 @@ static void grade_taking_back(cairn::Grade& grade) {
 
 /// The rows between two bodies, and one of them: the leftmost (k = 0) or rightmost (1) point of the upper
 /// body.
-static std::vector<Row> rows_between(const std::vector<Row>& rows, int body1, int body2) {
+static std::vector<Row> rows_between(const std::vector<Row>& rows, int body_a, int body_b) {
   std::vector<Row> found;
   for (const Row& row : rows)
-    if (row.body1 == body1 && row.body2 == body2) found.push_back(row);
+    if (row.body_a == body_a && row.body_b == body_b) found.push_back(row);
   return found;
 }
 
 static double count_of(const std::vector<Row>& rows) { return static_cast<double>(rows.size()); }
 
-/// Whether four contacts are found.
-static bool grade_points(cairn::Grade& grade) {
-  // The small box hangs over the right end of the large one, comes first in the list, and is slightly turned.
-  std::vector<Body> bodies = {make_box(0.75, 0.5, 3, 0.5, 1.249), make_box(1, 1, 2, 0.125, 0.5),
-                              make_box(10, 1, 0, 0, -0.5)};
-  bodies[0].position[2] = -0.002;
-  const std::vector<Row> rows = contacts(bodies), upper = rows_between(rows, 1, 0),
-                         lower = rows_between(rows, 2, 1);
-  const char* const lower_first = "body 1 is the lower one of the two, wherever it stands in the list.";
-  grade.number({"a small box on a large one on the ground: contacts",
-                4,
-                {{2, "Two boxes touch at two points: both ends of the width that they share."},
-                 {3, "What overlaps touches, however deep: look at the gap, not at its size."},
-                 {6, upper.empty() ? lower_first
-                                   : "Boxes with another box between them do not touch: look at the gap."}}},
-               count_of(rows));
-  grade.number({"with the large box as body 1, and the small one as body 2", 2, {{0, lower_first}}},
-               count_of(upper));
-  const bool finds = rows.size() == 4;
-  if (upper.size() != 2 || lower.size() != 2) return finds;
-  grade.number({"large box on the ground, left point: j2[2] (m)",
+/// Where a small box touches a large one, and how deep: it is turned by −0.002.
+static void grade_places(cairn::Grade& grade, const std::vector<Row>& upper, const std::vector<Row>& lower) {
+  grade.number({"large box on the ground, left point: j_b[2] (m)",
                 -0.5,
                 {{0.5, "Left before right."}, {-5.125, "The points are where both boxes are."}}},
-               lower[0].j2[2]);
-  grade.number({"small box on the large one, left point: j2[2] (m)", -0.375, {{0.125, "Left before right."}}},
-               upper[0].j2[2]);
-  grade.number({"right point: j2[2] (m)",
+               lower[0].j_b[2]);
+  grade.number(
+      {"small box on the large one, left point: j_b[2] (m)", -0.375, {{0.125, "Left before right."}}},
+      upper[0].j_b[2]);
+  grade.number({"right point: j_b[2] (m)",
                 0.125,
                 {{0.375, "The large box ends there: the points lie within both widths."}}},
-               upper[1].j2[2]);
+               upper[1].j_b[2]);
   const double left = -0.001 - 0.002 * -0.375, right = -0.001 - 0.002 * 0.125;
   grade.number({"gap at the left point (m)",
                 left,
@@ -102,6 +85,28 @@ static bool grade_points(cairn::Grade& grade) {
                 right,
                 {{-0.001, "The box is turned: its face is not as high at both ends."}}},
                upper[1].c);
+}
+
+/// Whether four contacts are found.
+static bool grade_points(cairn::Grade& grade) {
+  // The small box hangs over the right end of the large one, comes first in the list, and is slightly turned.
+  std::vector<Body> bodies = {make_box(0.75, 0.5, 3, 0.5, 1.249), make_box(1, 1, 2, 0.125, 0.5),
+                              make_box(10, 1, 0, 0, -0.5)};
+  bodies[0].position[2] = -0.002;
+  const std::vector<Row> rows = contacts(bodies), upper = rows_between(rows, 1, 0),
+                         lower = rows_between(rows, 2, 1);
+  const char* const lower_first = "body a is the lower one of the two, wherever it stands in the list.";
+  grade.number({"a small box on a large one on the ground: contacts",
+                4,
+                {{2, "Two boxes touch at two points: both ends of the width that they share."},
+                 {3, "What overlaps touches, however deep: look at the gap, not at its size."},
+                 {6, upper.empty() ? lower_first
+                                   : "Boxes with another box between them do not touch: look at the gap."}}},
+               count_of(rows));
+  grade.number({"with the large box as body a, and the small one as body b", 2, {{0, lower_first}}},
+               count_of(upper));
+  const bool finds = rows.size() == 4;
+  if (upper.size() == 2 && lower.size() == 2) grade_places(grade, upper, lower);
   return finds;
 }
 
@@ -117,11 +122,11 @@ static void grade_turned_below(cairn::Grade& grade, bool finds) {
                  {0, finds ? "Each point for itself: one may touch where the other is open." : ""}}},
                count_of(rows));
   if (rows.size() != 1) return;
-  grade.number({"its point: j2[2] (m)",
+  grade.number({"its point: j_b[2] (m)",
                 -0.75,
                 {{0.25, "The sign of the slope: a face rises by angle · x."},
                  {-2, "The points lie within both widths."}}},
-               rows[0].j2[2]);
+               rows[0].j_b[2]);
   grade.number({"its gap (m)", -0.002, {{0, "The lower face has a slope as well."}}}, rows[0].c);
 }
 

@@ -1,12 +1,12 @@
 // Stage 05, graded: A and b of four rows between bodies of 2 kg, 0.5 kg and 1 kg, entry by entry.
 #include "04.cpp"
 
-static Row made_row(int body1, Vec3 j1, int body2, Vec3 j2, double bias) {
+static Row made_row(int body_a, Vec3 j_a, int body_b, Vec3 j_b, double bias) {
   Row row;
-  row.body1 = body1;
-  row.body2 = body2;
-  row.j1 = j1;
-  row.j2 = j2;
+  row.body_a = body_a;
+  row.body_b = body_b;
+  row.j_a = j_a;
+  row.j_b = j_b;
   row.bias = bias;
   return row;
 }
@@ -57,13 +57,13 @@ static const Vec3 inverse_heavy = {0.5, 0.5, 3}, inverse_light = {2, 2, 12}, inv
                   inverse_none = {};  // inverse masses
 
 static void grade_diagonal(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
-  const double diagonal = slanted_part1 + slanted_part2;
-  const double mixed = diagonal + coupled(rows[1].j1, inverse_heavy, rows[1].j2) +
-                       coupled(rows[1].j2, inverse_light, rows[1].j1);
+  const double diagonal = slanted_part_a + slanted_part_b;
+  const double mixed = diagonal + coupled(rows[1].j_a, inverse_heavy, rows[1].j_b) +
+                       coupled(rows[1].j_b, inverse_light, rows[1].j_a);
   const double plain =
-      coupled(rows[1].j1, inverse_heavy, inverse_ones) + coupled(rows[1].j2, inverse_light, inverse_ones);
+      coupled(rows[1].j_a, inverse_heavy, inverse_ones) + coupled(rows[1].j_b, inverse_light, inverse_ones);
   const bool is_doubled =
-      std::abs(system.A[0][1] - 2 * coupled(rows[0].j2, inverse_heavy, rows[1].j1)) < 1e-9;
+      std::abs(system.A[0][1] - 2 * coupled(rows[0].j_b, inverse_heavy, rows[1].j_a)) < 1e-9;
   grade.number(
       {"A[1][1], between 2 kg and 0.5 kg (1/kg)",
        diagonal,
@@ -72,14 +72,14 @@ static void grade_diagonal(cairn::Grade& grade, const System& system, const std:
                            : "The diagonal is counted twice: a row meets itself once."},
         {mixed, "Every number meets every other: multiply only what two rows have for the same body."},
         {2 + 0.0625 / 3 + 0.5 + 0.25 / 12, "Those are the masses: A has their inverses."},
-        {1 + 0.0625 + slanted_part2, "The inverse masses of body 1 are missing: A = J M⁻¹ Jᵀ."},
-        {slanted_part1 + 1 + 0.25, "The inverse masses of body 2 are missing: A = J M⁻¹ Jᵀ."},
+        {1 + 0.0625 + slanted_part_b, "The inverse masses of body a are missing: A = J M⁻¹ Jᵀ."},
+        {slanted_part_a + 1 + 0.25, "The inverse masses of body b are missing: A = J M⁻¹ Jᵀ."},
         {plain, "j is not squared: A_ii has each number of j twice."},
         {1 / diagonal, "That is the effective mass: A_ii is its inverse."},
         {diagonal * 0.05, "A has no Δt: only b has."},
         {diagonal / 0.05, "A has no Δt: only b has."},
-        {slanted_part1, "Body 2 is missing: sum over both bodies of the row."},
-        {slanted_part2, "Body 1 is missing: sum over both bodies of the row."},
+        {slanted_part_a, "Body b is missing: sum over both bodies of the row."},
+        {slanted_part_b, "Body a is missing: sum over both bodies of the row."},
         {2.5, "An index too few: the turn couples rows, too."},
         {1 + 0.0625 + 1 + 0.25, "The inverse masses are missing: A = J M⁻¹ Jᵀ."}}},
       system.A[1][1]);
@@ -87,19 +87,19 @@ static void grade_diagonal(cairn::Grade& grade, const System& system, const std:
 
 static void grade_shared_body(cairn::Grade& grade, const System& system, const std::vector<Row>& rows) {
   const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
-  const double shared = coupled(rows[0].j2, inverse_heavy, rows[1].j1);
+  const double shared = coupled(rows[0].j_b, inverse_heavy, rows[1].j_a);
   grade.number(
-      {"A[0][1]: body 1 is body 2 of one row, body 1 of the other",
+      {"A[0][1]: body b of one row is body a of the other",
        shared,
        {{0, is_diagonal
                 ? "Rows that share a body are coupled: A is more than its diagonal."
                 : "The rows share a body: look for the same body, not for the same place in the row."},
         {2 * shared, "Each body is counted once: a sum over the bodies, not over both lists of them."},
-        {-shared, "The sign: J_i M⁻¹ J_kᵀ, the minus is in j1 already."},
-        {coupled(rows[0].j2, inverse_ones, rows[1].j1), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
-        {coupled(rows[0].j2, inverse_light, rows[1].j1),
+        {-shared, "The sign: J_i M⁻¹ J_kᵀ, the minus is in j_a already."},
+        {coupled(rows[0].j_b, inverse_ones, rows[1].j_a), "The inverse masses are missing: A = J M⁻¹ Jᵀ."},
+        {coupled(rows[0].j_b, inverse_light, rows[1].j_a),
          "The inverse mass is that of the body that they share."},
-        {coupled(rows[0].j2, inverse_heavy, rows[1].j2) + coupled(rows[0].j1, inverse_none, rows[1].j1),
+        {coupled(rows[0].j_b, inverse_heavy, rows[1].j_b) + coupled(rows[0].j_a, inverse_none, rows[1].j_a),
          "The rows share a body: look for the same body, not for the same place in the row."}}},
       system.A[0][1]);
 }
@@ -110,25 +110,25 @@ static void grade_A(cairn::Grade& grade, const System& system) {
   if (system.A.size() != 4 || system.A[1].size() != 4) return;
   grade_diagonal(grade, system, rows);
   grade_shared_body(grade, system, rows);
-  const bool is_right = std::abs(system.A[1][1] - slanted_part1 - slanted_part2) < 1e-9;
+  const bool is_right = std::abs(system.A[1][1] - slanted_part_a - slanted_part_b) < 1e-9;
   const bool is_diagonal = system.A[1][2] == 0 && system.A[2][1] == 0 && system.A[0][2] == 0;
   const double crossed =
-      coupled(rows[1].j1, inverse_heavy, rows[2].j2) + coupled(rows[1].j2, inverse_light, rows[2].j1);
+      coupled(rows[1].j_a, inverse_heavy, rows[2].j_b) + coupled(rows[1].j_b, inverse_light, rows[2].j_a);
   grade.number(
       {"A[1][2]: both bodies shared, the other way round (1/kg)",
        crossed,
-       {{coupled(rows[1].j1, inverse_heavy, rows[2].j1) + coupled(rows[1].j2, inverse_light, rows[2].j2),
+       {{coupled(rows[1].j_a, inverse_heavy, rows[2].j_a) + coupled(rows[1].j_b, inverse_light, rows[2].j_b),
          "Look for the same body, not for the same place in the row."},
-        {coupled(rows[1].j1, inverse_heavy, rows[2].j2), "Both bodies are shared: add both parts."},
-        {coupled(rows[1].j2, inverse_light, rows[2].j1), "Both bodies are shared: add both parts."}}},
+        {coupled(rows[1].j_a, inverse_heavy, rows[2].j_b), "Both bodies are shared: add both parts."},
+        {coupled(rows[1].j_b, inverse_light, rows[2].j_a), "Both bodies are shared: add both parts."}}},
       system.A[1][2]);
   grade.number({"A[2][1]: A is symmetric (1/kg)",
                 crossed,
                 {{0, system.A[1][2] == 0 ? "" : "Only one half of A is filled."}}},
                system.A[2][1]);
   grade.number(
-      {"A[0][2]: body 1 is body 2 of both rows (1/kg)",
-       coupled(rows[0].j2, inverse_heavy, rows[2].j2),
+      {"A[0][2]: both rows have the same body b (1/kg)",
+       coupled(rows[0].j_b, inverse_heavy, rows[2].j_b),
        {{0, is_diagonal || !is_right ? "" : "All pairs of rows count, not only those beside each other."}}},
       system.A[0][2]);
   grade.number({"A[0][3]: both stand on the ground (1/kg)",

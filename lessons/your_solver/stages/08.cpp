@@ -122,7 +122,7 @@ static World tower_world(const std::vector<double>& masses, const LineWorld& set
 static double load_on_the_lowest(const World& world) {
   double sum = 0;
   for (const Row& row : world.rows)
-    if (row.body1 == 0) sum += row.impulse;
+    if (row.body_a == 0) sum += row.impulse;
   return sum / world.dt;
 }
 
