@@ -39,6 +39,14 @@ Real most_travel(const LookAhead<Real>& outlook, const Vec2<Real>& direction, co
   return outlook.time() * most;
 }
 
+/// [m/s] What goes on along a contact with this normal may be turned aside by others: by so much.
+template <Scalar Real>
+Real leeway_along(const Vec2<Real>& normal, const CachedContact<Real>& cached,
+                  const LookAhead<Real>& outlook) {
+  const Vec3<Real> past = outlook.stopped(cached.b) - outlook.stopped(cached.a);
+  return std::abs(cross<Real>(normal, past.template head<2>()));
+}
+
 }  // namespace
 
 /// With which velocities bodies would go on for `time` [s], should nothing be in their way: mean ones, as
@@ -223,9 +231,7 @@ void ContactFinder<Real>::stop(int number) {
   }
   if (!is_new) return;
   stops_.are_new = true;
-  // What goes on along the contact may be turned aside by others.
-  const Vec3<Real> past = cache_.outlook_.stopped(cached.b) - cache_.outlook_.stopped(cached.a);
-  const Real leeway = std::abs(cross<Real>(manifold.normal, past.template head<2>()));
+  const Real leeway = leeway_along(manifold.normal, cached, cache_.outlook_);
   if (!light_a.isZero(0)) cache_.outlook_.set_leeway(cached.a, leeway);
   if (!light_b.isZero(0)) cache_.outlook_.set_leeway(cached.b, leeway);
 }
