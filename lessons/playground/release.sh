@@ -30,8 +30,8 @@ cairn_fill_release() {
   if ! cmp "$folder/site/index.html" "$folder/site/book/playground.html" >&2; then return 1; fi
   cairn_check_pages "$folder/site/book" &&
     cp "$folder/site/index.html" "$folder/playground.html" && cairn_pack "$folder/playground.html" &&
-    tar --create --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --directory "$folder/site" \
-      --file "$folder/book.tar" book && cairn_pack "$folder/book.tar" || return
+    tar --create --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX \
+      --directory "$folder/site" --file "$folder/book.tar" book && cairn_pack "$folder/book.tar" || return
   (cd "$folder" && sha256sum playground.html* book.tar* >SHA256SUMS)
 }
 

@@ -44,7 +44,9 @@ struct ReleaseTree {
     folder.write("tests/run", "mkdir -p build/web_tests && cd build/web_tests || exit\nprintf '" + page +
                                   "' >index.html\nsha256sum index.html >tested\n" + then + "\n");
   }
-  Ran release() const { return shell("cd '" + folder.path() + "' && bash lessons/run release"); }
+  Ran release(const std::string& mask = "022") const {
+    return shell("umask " + mask + " && cd '" + folder.path() + "' && bash lessons/run release");
+  }
   std::string released(const std::string& file) const { return folder.text("out/release/" + file); }
 };
 
@@ -62,8 +64,10 @@ TEST_CASE("a release holds the page that was tested, in every place, and what is
   CHECK(shell(sums + "sha256sum --check SHA256SUMS").code == 0);
   CHECK(shell(sums + "tar -tzf book.tar.gz").out == "book/\nbook/index.html\nbook/playground.html\n");
   const std::string before = tree.released("SHA256SUMS");
-  CHECK(tree.release().code == 0);
-  CHECK(tree.released("SHA256SUMS") == before);
+  for (const char* mask : {"022", "077"}) {  // also where the maker's own files are nobody else's to read
+    CHECK(tree.release(mask).code == 0);
+    CHECK(tree.released("SHA256SUMS") == before);
+  }
 }
 
 TEST_CASE("what was not tested, or failed, is not released, and an earlier release stays") {
