@@ -140,9 +140,8 @@ void draw_answer(Page& page, const Rect& rect, const CostRun& run) {
 std::string answer_text(const CostRun& run) {
   const Curve &si = run.curves[si_curve], &sor = run.curves[sor_curve];
   return fmt::format(
-      "{} sweeps. Each of SI leaves {} of the error, however small it is, so every digit costs {} sweeps. "
-      "With "
-      "the best ω it is {}.",
+      "{} sweeps. A sweep of SI leaves {} of the error, however small it is, so every digit costs {} sweeps. "
+      "With the best ω it is {}.",
       sweeps_to(sor.error, 0.01), fixed(si.rate, 4), fixed(sweeps_per_digit(si), 0),
       fixed(sweeps_per_digit(sor), 1));
 }
