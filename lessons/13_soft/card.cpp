@@ -16,7 +16,8 @@ const LessonCard lesson13(
                    "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
      .needs = {"lesson 03", "lesson 09"},
      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
-     .question = "A weight of 1 kg presses a spring of 2 Hz by 200 mm. As a force the spring would push with "
+     .question = "A weight of 1 kg is let go on a spring of 2 Hz that is 200 mm short, with damping ratio ½. "
+                 "As a force the spring would push with "
                  "−k c = 31.6\u00a0N; a rod whose row has the same β\u00a0=\u00a00.2 pushes with "
                  "110\u00a0N. With how many newtons does "
                  "the spring push as a soft row, in its first step?",

@@ -179,8 +179,8 @@ void draw_spring(Page& page, const Camera& camera, double x, double bottom, doub
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
 }
 
-SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
-SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
+SeriesStyle style_of_soft(const Page& page) { return render::neutral_styles(page.theme())[0]; }
+SeriesStyle style_of_rigid(const Page& page) { return render::neutral_styles(page.theme())[1]; }
 
 List<Shot> soft_shots(const SoftRuns& all) {
   List<Shot> shots = {question_shot(card(), weights_frame(all, 0))};
