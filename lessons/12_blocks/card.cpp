@@ -20,7 +20,7 @@ const LessonCard lesson12(
      .question =
          "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row and 1 "
          "with its weld as a block; two take 110 and 61. Three take 435 row by row. How many of these remain "
-         "with blocks: 1, few, as for one beam; 2, half, as for two; 3, three quarters; 4, nearly all?",
+         "with blocks: (1) few, as for one beam; (2) half, as for two; (3) three quarters; (4) nearly all?",
      .spoilers = {"326", "75 %", "three in four", "zig-zag"},
      .unasked = {"angle", "inertia", "sweeps"},
      .wrong = {{{1},

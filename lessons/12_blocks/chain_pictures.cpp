@@ -67,7 +67,7 @@ void draw_chain(Page& page, const BlocksRuns& all) {
 }
 
 void draw_inside(Page& page, const BlocksRuns& all) {
-  const List<Rect> parts = in_columns(page, {0.66, 0.34});
+  const List<Rect> parts = in_columns(page, {0.55, 0.45});
   draw_system(page, parts[0], all.chains[welded_three]);
   page.card(
       parts[1], "What a block settles",
