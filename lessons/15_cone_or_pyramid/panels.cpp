@@ -69,6 +69,18 @@ void draw_puck(Page& page, const Camera& camera, const Slides& all, int k, bool 
                   camera.viewport, is_circle ? "circle" : "square", text);
 }
 
+/// Where both pucks were, in their colours.
+void draw_earlier(Page& page, const Camera& camera, const Slides& all, int k) {
+  const int ghosts = 6, last = all.circle.steps.size() - 1;
+  for (const bool is_circle : {true, false}) {
+    const Slide& slide = is_circle ? all.circle : all.square;
+    for (int i = 0; i * last / ghosts < k && i < ghosts; ++i)
+      page.canvas().circle(
+          camera.project(slide.steps[i * last / ghosts].place), all.settings.puck_radius() * camera.scale,
+          {.outline = limit_style(page, is_circle).color, .outline_width = page.sizes().ghost});
+  }
+}
+
 /// Axes, the square dashed and the circle in one piece.
 void draw_limit_lines(Page& page, const Camera& camera, double limit, double reach) {
   const Stroke axis{.width = 1, .color = page.theme().inactive};
@@ -96,7 +108,8 @@ void name_limits(Page& page, const Camera& camera, double limit) {
   TextStyle circle = aligned(name_style(page, size, limit_style(page, true).color), Align::right);
   page.canvas().text(camera.project({0.66 * limit, -0.64 * limit}), "circle", circle);
   TextStyle tick = aligned(page.tick(), Align::right);
-  page.canvas().text(camera.project({limit, 0}) - Point(8, 6), fmt::format("μN = {:g} N", limit), tick);
+  page.canvas().text(camera.project({limit, 0}) - Point(8, 6), fmt::format("μ λ_{{n}} = {:g} N", limit),
+                     tick);
 }
 
 }  // namespace
@@ -114,13 +127,7 @@ TextStyle name_style(const Page& page, double size, const Color& color) {
 
 Camera draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
   const Camera camera = draw_floor(page, rect, all);
-  List<Snapshot> earlier;
-  const int ghosts = 6;
-  const int last = all.circle.steps.size() - 1;
-  for (int i = 0; i < ghosts; ++i) {
-    if (i * last / ghosts < k) earlier.push_back(both_pucks(all, i * last / ghosts));
-  }
-  draw_ghosts(page, camera, earlier);
+  draw_earlier(page, camera, all, k);
   draw_path(page, camera, all.circle, k, limit_style(page, true));
   draw_path(page, camera, all.square, k, limit_style(page, false));
   if (k == 0) draw_world(page, camera, both_pucks(all, k), {.numbers = false});
@@ -152,8 +159,9 @@ Camera draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces
     const Vec2<double> along = forces.velocity / speed;
     page.canvas().line(camera.project({0, 0}), camera.project(-reach * along),
                        {.width = 1.5, .color = page.theme().velocity, .dash = {6, 5}});
-    draw_arrow(page, camera, {.pixels_per_unit = camera.scale, .longest = 1e4},
-               {.kind = ArrowKind::velocity, .value = 0.7 * limit * along, .label = "v"});
+    TextStyle against = page.label();
+    against.halo = page.theme().panel;
+    page.canvas().text(camera.project(-0.75 * reach * along) + Point(12, 0), "against v", against);
   }
   const ArrowScale scale{.pixels_per_unit = camera.scale, .longest = 1e4, .unit = "N"};
   for (const Vec2<double>& force : forces.grey) {

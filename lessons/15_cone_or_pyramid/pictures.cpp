@@ -53,11 +53,11 @@ void draw_row(Page& page, const Slides& all, int i) {
        .color = page.theme().friction},
       i + 1, i == 0 ? "Row x" : "Row y",
       i == 0
-          ? fmt::format("This row sees v_{{x}} alone. Stopping it within the step would take {} times μN, so "
-                        "the clamp leaves −μN: the side of the square.",
+          ? fmt::format("This row sees v_{{x}} alone. Stopping it within the step would take {} times "
+                        "μ λ_{{n}}, so the clamp leaves −μ λ_{{n}}: the side of the square.",
                         significant(-wanted.x() / settings.limit()))
           : fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "
-                        "μN, {}° off the dashed line against v.",
+                        "μ λ_{{n}}, {}° off the dashed line against v.",
                         fixed(parts.norm(), 2), fixed(parts.norm() / settings.limit(), 2),
                         fixed(std::min(off, 2 * pi - off) * 180 / pi, 1)));
 }
@@ -70,12 +70,12 @@ void draw_vector(Page& page, const Slides& all) {
       page, all,
       {.grey = {parts_clamped(settings, wanted)}, .active = {vector}, .velocity = settings.velocity},
       {.number = "paper 4.5",
-       .symbols = "λ ← λ min(1, μN / |λ|)",
+       .symbols = "λ ← λ min(1, μ λ_{n} / |λ|)",
        .numbers = fmt::format("= {} × {:g} / {:g}", pair_text(wanted, 0), settings.limit(), wanted.norm()),
        .result = fmt::format("= {} N", pair_text(vector, 2)),
        .color = page.theme().friction},
       3, "Both rows together",
-      "One clamp, of the length. λ still points against v, and its length is μN in every direction: "
+      "One clamp, of the length. λ still points against v, and its length is μ λ_{n} in every direction: "
       "Coulomb's "
       "circle.");
 }
@@ -164,7 +164,12 @@ void draw_way(Page& page, const Camera& camera, const Slide& slide, double aside
 void draw_question(Page& page, const Rect& rect, const Slides& all) {
   const List<Rect> halves = in_columns(page, rect, {0.5, 0.5});
   const Camera camera = draw_table(page, halves[0], all, 0);
-  draw_way(page, camera, all.circle, 24);
+  const SeriesStyle known = limit_style(page, true);
+  const Point start = camera.project({0, 0}), stop = camera.project(all.circle.steps.back().place);
+  page.canvas().line(start + 0.36 * (stop - start), stop, {.width = 1.5, .color = known.color, .dash = {8, 6}});
+  page.canvas().circle(stop, all.settings.puck_radius() * camera.scale,
+                       {.outline = known.color, .outline_width = page.sizes().outline});
+  draw_way(page, camera, all.circle, 40);
   TextStyle asked =
       aligned(name_style(page, page.sizes().title, limit_style(page, false).color), Align::right);
   page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
