@@ -1,9 +1,8 @@
 // Lesson 08. Warm start: the first part of Algorithm 1, which lesson 03 left out.
 // A tower that stood a moment ago still stands, and its contacts push as hard as before. So the sweeps of a
 // step begin with the impulses of the last one, and each impulse has to find its own row again: it is kept
-// under the row's key. Three towers show what that is worth: one begins every step from zero, one from
-// its own impulses, one from those of the contact below. Two more runs go by the number of a row, not its
-// key.
+// under the row's key. Two towers show what that is worth: one begins every step from zero, one from its own
+// impulses. In two more runs a ball bounces beside the tower, and impulses are found by key or by number.
 #include "lesson.hpp"
 
 #include "lessons/kit/words.hpp"
@@ -25,10 +24,8 @@ double remembered(const Memory& last, const RowKey& key) {
 PerRow<double> first_guess(const VelocityProblem<double>& problem, Start start, const Memory& last) {
   PerRow<double> guess(problem.row_count(), 0.0);  // cold: from zero
   for (int i = 0; i < guess.size(); ++i) {
-    const int below = i < 2 ? i : i - 2;  // a contact between two boxes has two rows
     if (start == Start::warm) guess[i] = remembered(last, problem.rows[i].key);
-    if (start == Start::shifted) guess[i] = remembered(last, problem.rows[below].key);  // a mistake
-    if (start == Start::by_number && i < last.size()) guess[i] = last[i].second;        // another
+    if (start == Start::by_number && i < last.size()) guess[i] = last[i].second;  // a mistake
   }
   return guess;
 }
@@ -59,12 +56,11 @@ class Remembering final : public Solver<double> {
 
 WarmStart run_all(const StartSettings& settings) {
   const int sweeps = settings.sweeps;
-  Remembering cold(sweeps, Start::cold), warm(sweeps, Start::warm), shifted(sweeps, Start::shifted);
+  Remembering cold(sweeps, Start::cold), warm(sweeps, Start::warm);
   Remembering with_guest(sweeps, Start::warm), numbered(sweeps, Start::by_number);
   WarmStart all{.settings = settings};
   all.cold = follow_tower(settings, cold, "cold");
   all.warm = follow_tower(settings, warm, "warm");
-  all.shifted = follow_tower(settings, shifted, "one row off");
   StartSettings longer = settings;
   longer.steps = question_steps;
   Remembering many(many_sweeps, Start::cold);
@@ -75,9 +71,6 @@ WarmStart run_all(const StartSettings& settings) {
         follow_tower(longer, few, fmt::format("warm, {} sweep{}", all.few, all.few > 1 ? "s" : ""));
   } while (lowest(all.few_warm) < risen(all.many_cold, question_steps));
   all.guest = follow_guest(settings, with_guest, numbered);
-  const TowerAtRest rest = tower_found_from_the_top(settings);
-  all.reversed = begun_with(rest.problem, first_guess(rest.problem, Start::warm, rest.last),
-                            first_guess(rest.problem, Start::by_number, rest.last), sweeps);
   for (const int boxes : {3, 5, 10, 20}) all.sweeps.push_back(sweep_cold(boxes, settings.dt));
   all.own = sweep_cold(settings.boxes, settings.dt);
   all.library = run_library(settings);

@@ -1,5 +1,4 @@
-// Lesson 08. A tower that begins every step from zero, from last step's impulses, or from those of another
-// row.
+// Lesson 08. A tower that begins every step from zero, or from last step's impulses.
 #pragma once
 
 #include "lessons/kit/kit.hpp"
@@ -25,8 +24,7 @@ struct StartSettings {
 enum class Start {
   cold,       // no impulses
   warm,       // each row its own of the step before
-  shifted,    // each contact that of the contact below it: a mistake
-  by_number,  // each row that of the row which had its place: another mistake
+  by_number,  // each row that of the row which had its place: a mistake
 };
 
 /// Last step's impulses [N s] under the names of their rows, in the order of the rows.
@@ -48,15 +46,6 @@ struct GuestRun {
   List<Snapshot> frames = {};         // of the run by number
 };
 
-/// The tower at rest whose contacts are found from the top down in this step, and not from the ground up.
-struct ReversedStep {
-  List<double> by_key = {};              // [N] first guess of each interface
-  List<double> by_number = {};           // [N]
-  List<double> velocity_by_key = {};     // [m/s] of each box with that guess, before any sweep
-  List<double> velocity_by_number = {};  // [m/s]
-  List<double> velocity_after = {};      // [m/s] by number, when all sweeps are done
-};
-
 /// A cold start: the relative error of the lowest load after every sweep, 1 at sweep 0.
 struct ColdSweeps {
   int boxes = 0;
@@ -70,22 +59,14 @@ struct LibraryRun {
   double load_at_half_dt = 0;     // [N] lowest first guess once dt is halved at the end
 };
 
-/// Rows of a tower that has begun to fall, from the top down, and the weights as the last step left them.
-struct TowerAtRest {
-  VelocityProblem<double> problem = {};
-  Memory last = {};  // from the ground up
-};
-
 struct WarmStart {
   StartSettings settings = {};
   StartRun cold = {};
   StartRun warm = {};
-  StartRun shifted = {};
   StartRun many_cold = {};  // with many_sweeps, for question_steps
   StartRun few_warm = {};   // with so few sweeps that it just never sinks so far
   int few = 0;
   GuestRun guest = {};
-  ReversedStep reversed = {};
   List<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
   ColdSweeps own = {};           // of this tower
   LibraryRun library = {};
@@ -98,10 +79,6 @@ double risen(const StartRun& run, int frame);
 double lowest(const StartRun& run);
 GuestRun follow_guest(const StartSettings& settings, Solver<double>& by_key, Solver<double>& by_number);
 LibraryRun run_library(const StartSettings& settings);
-TowerAtRest tower_found_from_the_top(const StartSettings& settings);
-/// What the first guesses [N s], one for each row of the problem, do to the boxes.
-ReversedStep begun_with(VelocityProblem<double> problem, const PerRow<double>& by_key,
-                        const PerRow<double>& by_number, int sweeps);
 /// One step from zero, until the lowest contact lacks wanted_error, and some sweeps more.
 ColdSweeps sweep_cold(int boxes, double dt);
 
@@ -134,8 +111,8 @@ double needed_by_formula(int boxes);
 /// 1 - 8/pi^2 rho^(s k/2) cos(k phi), cos phi = rho^(s/2), s sweeps: the warm load on the lowest contact
 /// after k steps over the weight, if there were no mode but the slowest.
 double warm_mode(const StartSettings& settings, int step);
-/// The same share of the weight after each step, from the rule d_{k+1} = rho^s (2 d_k - d_{k-1}) itself, with
-/// d_0 = 0 and d_{-1} = -8/pi^2.
+/// The same share of the weight after each step, from the rule e_{k+1} = rho^s (2 e_k - e_{k-1}) itself, with
+/// e_0 = 8/pi^2 and e_1 = rho^s e_0.
 List<double> warm_rule(const StartSettings& settings);
 
 /// The largest |load - weight| of the lowest contact in the last quarter of the steps [N].
@@ -153,14 +130,13 @@ void tell_order(Lesson& lesson, const WarmStart& all);
 void check_claims(Lesson& lesson, const WarmStart& all);
 CsvTable table_of(const WarmStart& all);
 
-/// Three towers side by side, what the error does, and rows in another order.
+/// Two towers side by side, what the error does, and a ball that shifts all rows.
 List<Shot> start_shots(const WarmStart& all);
 
 /// Their last part: charts of the error, and what becomes of impulses in the wrong place.
 List<Shot> order_shots(const WarmStart& all);
 
-/// Cold, warm, and a guess in the wrong place. All three are SI: the right ones have its colour, and only the
-/// dash tells them apart; the mistake has the colour of mistakes, as in lesson 04.
+/// Cold, warm, and impulses that come to the wrong row.
 FixedList<SeriesStyle, 3> start_styles(const Theme& theme);
 
 }  // namespace cairn::warm

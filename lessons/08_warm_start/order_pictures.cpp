@@ -74,52 +74,6 @@ void draw_cold_sweeps(Page& page, const WarmStart& all) {
             "time. So twice the height takes four times the sweeps.");
 }
 
-/// The tower with a first guess as bars, and the velocities that this guess gives to the boxes.
-void draw_guess(Page& page, const Rect& rect, const WarmStart& all, const SeriesStyle& style,
-                const List<double>& guess, const List<double>& velocity) {
-  const bool is_right = velocity.back() < 0.01;
-  const Rect view = draw_solver_panel(page, rect, style, is_right ? "by key" : "by number", "");
-  const Camera camera =
-      draw_tower_loads(page, view, all.warm.frames.front(), guess,
-                       {.box_weight = gravity, .largest = 1.5 * all.settings.weight(), .color = style.color});
-  TextStyle text = aligned(page.value(), Align::right);
-  for (int i = 0; i < velocity.size(); ++i) {
-    const double y = camera.project({0, i + 0.5}).y();
-    const std::string moves = std::abs(velocity[i]) < 0.005 ? "0" : fixed(velocity[i], 1, Sign::always);
-    page.canvas().text({view.x + view.width, y + text.size / 3}, moves + " m/s", text);
-  }
-}
-
-/// Which row is which contact now, and what its number and its key find among the impulses that were kept.
-void draw_found(Page& page, const Rect& rect, const WarmStart& all) {
-  const int n = all.settings.boxes;
-  TableView table{.header = {"row", "contact", "by number", "by key"}};
-  for (int row = 1; row <= n; ++row) {
-    const int contact = n + 1 - row;
-    table.rows.push_back({fmt::format("{}", row), fmt::format("{}", contact),
-                          fixed(all.reversed.by_number[contact - 1], 0) + " N",
-                          fixed(all.reversed.by_key[contact - 1], 0) + " N"});
-  }
-  page.table(rect, "the rows of this step, and their first guess", table);
-}
-
-void draw_reversed(Page& page, const WarmStart& all) {
-  const List<Rect> parts = in_rows(page, {{0.74, {0.36, 0.32, 0.32}}, 0.26});
-  const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-  const ReversedStep& step = all.reversed;
-  draw_found(page, parts[0], all);
-  draw_guess(page, parts[1], all, styles[2], step.by_number, step.velocity_by_number);
-  draw_guess(page, parts[2], all, styles[1], step.by_key, step.velocity_by_key);
-  double after = 0;
-  for (const double v : step.velocity_after) after = std::max(after, std::abs(v));
-  page.note(parts[3], "",
-            fmt::format("The last step found the contacts from the ground up, this one from the top "
-                        "down. By number, every contact gets the impulse of another one: the top box "
-                        "is thrown up at {:.1f} m/s before the first sweep, and {:.2f} m/s are left after "
-                        "the last. By key, nothing moves.",
-                        step.velocity_by_number.back(), after));
-}
-
 /// The step in which loads by number are most wrong, once the tower has come to rest.
 int worst_guest_step(const WarmStart& all) {
   const List<List<double>>& loads = all.guest.by_number;
@@ -171,11 +125,6 @@ List<Shot> order_shots(const WarmStart& all) {
       key_shot(all, "one step from zero",
                "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
                draw_cold_sweeps),
-      key_shot(all, "rows in another order",
-               "First guesses by number and by key when rows come from the top down: by number the lowest "
-               "contact "
-               "has the smallest guess, all boxes but one fall, and the top box is thrown up.",
-               draw_reversed),
       key_shot(all, "a ball bounces beside it",
                "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
                "every bounce.",

@@ -1,11 +1,11 @@
-// Three towers side by side, cold, warm and one row off, above one chart that all three share.
+// Two towers side by side, cold and warm, above one chart that both share; the question and its answer.
 #include "lesson.hpp"
 
 namespace cairn::warm {
 
 namespace {
 
-FixedList<const StartRun*, 3> runs_of(const WarmStart& all) { return {&all.cold, &all.warm, &all.shifted}; }
+FixedList<const StartRun*, 2> runs_of(const WarmStart& all) { return {&all.cold, &all.warm}; }
 
 double largest_load(const WarmStart& all) {
   double largest = all.settings.weight();
@@ -45,7 +45,7 @@ void draw_start_line(Page& page, const Camera& camera, double boxes) {
 /// What the top of the tower does, and not only where it is.
 std::string motion_of(const StartRun& run, int frame) {
   const double speed = std::round(1000 * run.frames[frame].bodies.back().velocity.y());
-  if (speed == 0) return "stands still";
+  if (speed == 0) return "nearly at rest";
   return fmt::format("{} at {:.0f} mm/s", speed < 0 ? "sinks" : "rises", std::abs(speed));
 }
 
@@ -86,9 +86,9 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, c
 }
 
 void draw_towers(Page& page, const Rect& rect, const WarmStart& all, int frame) {
-  const List<Rect> panels = in_columns(page, rect, {1, 1, 1});
+  const List<Rect> panels = in_columns(page, rect, {1, 1});
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-  const FixedList<const StartRun*, 3> runs = runs_of(all);
+  const FixedList<const StartRun*, 2> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
     const std::string name =
         fmt::format("{}, {} sweep{}", runs[s]->name, all.settings.sweeps, all.settings.sweeps > 1 ? "s" : "");
@@ -104,7 +104,7 @@ void draw_load_plot(Page& page, const Rect& rect, const WarmStart& all, int fram
   plot.x = {.title = "step", .min = 0, .max = shown};
   plot.y = {.min = 0, .max = 1.15 * largest_load(all)};
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-  const FixedList<const StartRun*, 3> runs = runs_of(all);
+  const FixedList<const StartRun*, 2> runs = runs_of(all);
   for (int s = 0; s < runs.size(); ++s) {
     Series series{.name = runs[s]->name, .style = styles[s]};
     for (int k = 0; k <= shown; ++k) series.add(k, runs[s]->loads[k][0]);
@@ -121,33 +121,74 @@ void draw_step(Page& page, const WarmStart& all, int frame) {
   draw_load_plot(page, parts[1], all, frame);
 }
 
-/// Where the tops have been; of the warm one only what was before `frame`.
-void draw_tops(Page& page, const Rect& rect, const WarmStart& all, int frame) {
+/// A tower of the question: its bars are what its contacts begin a step with.
+void draw_asked(Page& page, const Rect& rect, const WarmStart& all, bool is_warm) {
+  const double boxes = all.settings.boxes, sunk = -risen(all.many_cold, question_steps);
+  const SeriesStyle style = start_styles(page.theme())[is_warm ? 1 : 0];
+  const Rect view =
+      draw_solver_panel(page, rect, style, is_warm ? "warm, ? sweeps" : all.many_cold.name,
+                        fmt::format("{}−{:.0f} mm{}", is_warm ? "above " : "top ", sunk, is_warm ? "?" : ""));
+  List<double> kept(all.settings.boxes, 0.0);
+  for (int i = 0; i < kept.size() && is_warm; ++i) kept[i] = (boxes - i) * gravity;
+  const Snapshot& tower = is_warm ? all.few_warm.frames.front() : all.many_cold.frames[question_steps];
+  const Camera camera =
+      draw_tower_loads(page, view, tower, kept,
+                       {.box_weight = gravity, .largest = 1.2 * all.settings.weight(), .color = style.color});
+  draw_start_line(page, camera, boxes);
+  const double mark = boxes - 0.001 * sunk;
+  page.canvas().line(camera.project({-1.1, mark}), camera.project({-0.6, mark}),
+                     {.width = page.sizes().curve, .color = page.theme().normal});
+  const List<std::string> lines =
+      is_warm ? List<std::string>{"each step begins", "with the last", "one's impulses"}
+              : List<std::string>{"each step begins", "from zero", "tick: to carry"};
+  for (int i = 0; i < lines.size(); ++i) {
+    const TextStyle text = aligned(!is_warm && i == 2 ? page.secondary() : page.value(), Align::right);
+    page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
+  }
+}
+
+/// Where the tops have been.
+void draw_tops(Page& page, const Rect& rect, const WarmStart& all) {
   const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
   Plot plot{.title = "how far the tops have moved (mm)"};
   plot.x = {.title = "step", .min = 0, .max = question_steps};
   plot.y = {.min = 1.1 * lowest(all.many_cold), .max = 0};
-  const auto add = [&](const StartRun& run, const SeriesStyle& style, int steps) {
+  const auto add = [&](const StartRun& run, const SeriesStyle& style) {
     List<double> tops;
-    for (int k = 0; k <= steps; ++k) tops.push_back(risen(run, k));
+    for (int k = 0; k <= question_steps; ++k) tops.push_back(risen(run, k));
     plot.series.push_back(over_steps(run.name, style, tops));
   };
-  add(all.many_cold, styles[0], question_steps);
-  if (frame > 0) add(all.few_warm, styles[1], frame);
+  add(all.many_cold, styles[0]);
+  add(all.few_warm, styles[1]);
   draw_plot(page, rect, plot);
 }
 
-/// The cold tower of the question at the end, and the warm one at the given step.
-QuestionFrame two_towers(const WarmStart& all, int frame, std::string state, std::string alt) {
-  const auto draw = [&all, frame](Page& page, const Rect& rect) {
+QuestionFrame asked(const WarmStart& all) {
+  return {.state = fmt::format("after {} steps, and before the first", question_steps),
+          .alt = fmt::format(
+              "A tower of {} boxes has sunk with {} cold sweeps in each step. Another, which begins "
+              "each step with the impulses of the last, has to stay above that mark.",
+              all.settings.boxes, many_sweeps),
+          .scene = [&all](Page& page, const Rect& rect) {
+            const List<Rect> parts = in_columns(page, rect, {1, 1});
+            draw_asked(page, parts[0], all, false);
+            draw_asked(page, parts[1], all, true);
+          }};
+}
+
+/// Both towers of the question at the end, and how they came there.
+QuestionFrame answered(const WarmStart& all) {
+  const auto draw = [&all](Page& page, const Rect& rect) {
     const List<Rect> parts = in_rows(page, rect, {{0.5, {1, 1}}, 0.5});
     const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
-    const std::string warm = frame == 0 ? "warm, ? sweeps" : all.few_warm.name;
     draw_start(page, parts[0], all, question_steps, {all.many_cold, styles[0], all.many_cold.name, true});
-    draw_start(page, parts[1], all, frame, {all.few_warm, styles[1], warm});
-    draw_tops(page, parts[2], all, frame);
+    draw_start(page, parts[1], all, question_steps, {all.few_warm, styles[1], all.few_warm.name});
+    draw_tops(page, parts[2], all);
   };
-  return {.state = std::move(state), .alt = std::move(alt), .scene = draw};
+  return {
+      .state = fmt::format("after {} steps", question_steps),
+      .alt = fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all.few),
+      .scene = draw};
 }
 
 LessonInfo card_for(const WarmStart& all) {
@@ -159,10 +200,10 @@ LessonInfo card_for(const WarmStart& all) {
 Shot step_shot(const WarmStart& all, int frame) {
   return {.state = fmt::format("step {} · t = {} s", frame, fixed(frame * all.settings.dt, 2)),
           .alt = fmt::format(
-              "Step {}: the lowest box carries {:.2f} N cold, {:.2f} N warm and {:.2f} N one row "
-              "off; the tops have moved by {:+.0f} mm, {:+.0f} mm and {:+.0f} mm.",
-              frame, all.cold.loads[frame][0], all.warm.loads[frame][0], all.shifted.loads[frame][0],
-              risen(all.cold, frame), risen(all.warm, frame), risen(all.shifted, frame)),
+              "Step {}: the lowest box carries {:.2f} N cold and {:.2f} N warm; the tops have moved by "
+              "{:+.0f} mm and {:+.0f} mm.",
+              frame, all.cold.loads[frame][0], all.warm.loads[frame][0], risen(all.cold, frame),
+              risen(all.warm, frame)),
           .draw = [&all, frame](Page& page) { draw_step(page, all, frame); }};
 }
 
@@ -185,23 +226,13 @@ FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
 List<Shot> start_shots(const WarmStart& all) {
   const int last = all.settings.steps;
   const std::set<int> keys = {1, 5, 10, last};
-  const std::string of_cold = fmt::format("after {} steps", question_steps);
-  List<Shot> shots = {question_shot(
-      card_for(all),
-      two_towers(all, 0, of_cold + ", and before the first",
-                 "A tower of ten boxes after 50 cold sweeps in each step, which has sunk, one that is "
-                 "about to begin warm, how the first one sank, and the question."))};
+  List<Shot> shots = {question_shot(card_for(all), asked(all))};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(all, k));
     shots.back().key = keys.contains(k);
   }
   for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
-  shots.push_back(answer_shot(
-      card_for(all),
-      two_towers(
-          all, question_steps, of_cold,
-          fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all.few)),
-      answer_text(all)));
+  shots.push_back(answer_shot(card_for(all), answered(all), answer_text(all)));
   return shots;
 }
 

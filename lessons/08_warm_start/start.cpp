@@ -1,4 +1,4 @@
-// The towers in a world, and the step whose rows come in another order.
+// The towers in a world, and a single step from zero.
 #include "lesson.hpp"
 
 #include <cairn/validation/column.hpp>
@@ -54,14 +54,6 @@ void advance(World<double>& world, Solver<double>& solver) {
   if (world.step(solver).not_finite) throw Diverged("lesson08: the tower blew up");
 }
 
-List<double> heights_per_second(const VelocityProblem<double>& problem) {
-  List<double> result;
-  for (const BodyId body : problem.velocity.indices()) {
-    if (body != ground) result.push_back(problem.velocity[body].y());
-  }
-  return result;
-}
-
 /// The relative error of the first row's impulse, sweep by sweep.
 class LowestError final : public SolveObserver<double> {
  public:
@@ -75,13 +67,6 @@ class LowestError final : public SolveObserver<double> {
   double exact_;  // [N s]
   List<double>& error_;
 };
-
-/// One normal row for each interface of a tower that gravity has just made fall, named by its number.
-VelocityProblem<double> tower_rows(int boxes, double dt) {
-  VelocityProblem<double> problem = cases::column<double>(List<double>(boxes, 1.0), gravity, dt);
-  for (int i = 0; i < boxes; ++i) problem.rows[i].key.source = static_cast<std::uint64_t>(i);
-  return problem;
-}
 
 }  // namespace
 
@@ -142,40 +127,10 @@ LibraryRun run_library(const StartSettings& settings) {
   return run;
 }
 
-TowerAtRest tower_found_from_the_top(const StartSettings& settings) {
-  TowerAtRest rest{.problem = tower_rows(settings.boxes, settings.dt)};
-  for (int i = 0; i < settings.boxes; ++i) {
-    rest.last.emplace_back(rest.problem.rows[i].key, (settings.boxes - i) * gravity * settings.dt);
-  }
-  std::reverse(rest.problem.rows.begin(), rest.problem.rows.end());
-  return rest;
-}
-
-ReversedStep begun_with(VelocityProblem<double> problem, const PerRow<double>& by_key,
-                        const PerRow<double>& by_number, int sweeps) {
-  ReversedStep step;
-  for (int i = by_key.size(); i-- > 0;) {
-    step.by_key.push_back(by_key[i] / problem.dt);
-    step.by_number.push_back(by_number[i] / problem.dt);
-  }
-  const auto begun = [&problem](const PerRow<double>& guess) {
-    VelocityProblem<double> twin = problem;
-    twin.impulse = guess;
-    return twin;
-  };
-  VelocityProblem<double> keyed = begun(by_key), numbered = begun(by_number), solved = begun(by_number);
-  apply_impulses(keyed);
-  apply_impulses(numbered);
-  step.velocity_by_key = heights_per_second(keyed);
-  step.velocity_by_number = heights_per_second(numbered);
-  SequentialImpulse({.iterations = sweeps}).solve(solved);
-  step.velocity_after = heights_per_second(solved);
-  return step;
-}
-
 ColdSweeps sweep_cold(int boxes, double dt) {
   ColdSweeps result{.boxes = boxes};
-  VelocityProblem<double> problem = tower_rows(boxes, dt);
+  // One normal row for each interface of a tower that gravity has just made fall.
+  VelocityProblem<double> problem = cases::column<double>(List<double>(boxes, 1.0), gravity, dt);
   LowestError observer(boxes * gravity * dt, result.error);
   // Twice the formula's, to be sure to get there.
   const int enough = static_cast<int>(2 * needed_by_formula(boxes)) + 10;

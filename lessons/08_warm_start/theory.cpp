@@ -98,15 +98,10 @@ double warm_mode(const StartSettings& settings, int step) {
 
 List<double> warm_rule(const StartSettings& settings) {
   const double share = share_left(settings.boxes, settings.sweeps);
-  double before = -8 / (pi * pi), missing = 0;
-  List<double> loads = {1 + before - missing};
-  for (int k = 1; k <= settings.steps; ++k) {
-    const double next = share * (2 * missing - before);
-    before = missing;
-    missing = next;
-    loads.push_back(1 + before - missing);
-  }
-  return loads;
+  List<double> missing = {8 / (pi * pi), share * 8 / (pi * pi)};
+  for (int k = 2; k <= settings.steps; ++k) missing.push_back(share * (2 * missing[k - 1] - missing[k - 2]));
+  for (double& share_missing : missing) share_missing = 1 - share_missing;
+  return missing;
 }
 
 double unrest(const List<List<double>>& loads, double weight) {

@@ -18,7 +18,7 @@ const LessonCard lesson09(
      .reads = {"src/constraints/stabilization.hpp", "src/constraints/stabilization.cpp"},
      .question =
          "A ball of 1\u00a0kg at rest begins 100\u00a0mm inside the ground. β\u00a0=\u00a01 removes the "
-         "whole error in one step of 0.02\u00a0s, which sounds best. Gravity is 10\u00a0m/s², and nothing "
+         "whole error in one step of 0.02\u00a0s. Gravity is 10\u00a0m/s², and nothing "
          "bounces. How high above the ground does the lowest point of that ball come, in metres (0: it "
          "stays "
          "on the ground)?",

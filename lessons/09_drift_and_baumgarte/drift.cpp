@@ -96,7 +96,6 @@ List<DepthLimit> find_limits(const DriftSettings& settings) {
 }
 
 const RodRun& swing_of(const DriftRuns& all, double beta) { return run_of(all.swings, beta); }
-const RodRun& hang_of(const DriftRuns& all, double beta) { return run_of(all.hangs, beta); }
 const BallRun& ball_of(const DriftRuns& all, double beta) { return run_of(all.balls, beta); }
 
 double limit_by_formula(double dt, double beta) { return gravity * dt * dt / (beta * beta); }

@@ -1,8 +1,8 @@
 // Lesson 09. A row asks for a velocity, so an error in positions stays for ever, unless the row asks for a
 // velocity that takes it back: ζ of (7), a share β of the error in every step. Three scenes have an error to
-// get rid of: a pendulum that leaves its circle in every step, a weight that hangs too low, and a ball inside
-// the ground. The rod of the first two holds in both directions. The ground can only push, so the ball may
-// keep the speed that took it out.
+// get rid of: a ball inside the ground, a pendulum that leaves its circle in every step, and a weight that
+// hangs too low. The ground can only push, so the ball may keep the speed that took it out. The rod of the
+// other two holds in both directions.
 #include "lesson.hpp"
 
 namespace {
@@ -93,18 +93,18 @@ void run(Lesson& lesson) {
   print_scenes(lesson, all);
   lesson.predict();
   lesson.print();
-  print_swings(lesson, all);
-  print_hangs(lesson, all);
   print_balls(lesson, all);
   print_limits(lesson, all);
+  print_swings(lesson, all);
+  print_hangs(lesson, all);
   const double hop = hop_by_formula(all.settings);
   lesson.answer(
       {hop}, 0.1 * hop + 0.005,
       "The speed that takes the error back is still there when the error is gone. A rod would take it "
       "away in the next step. The ground cannot pull, so only gravity does.");
-  check_rods(lesson, all);
   check_balls(lesson, all);
   check_limits(lesson, all);
+  check_rods(lesson, all);
   lesson.film(drift_shots(all));
   lesson.data(balls_table(all));
   lesson.fingerprint(ball_of(all, all.settings.beta).steps.back());

@@ -1,4 +1,4 @@
-// Lesson 09. A pendulum, a hanging weight and a ball in the ground: three rows, each with an error to get rid
+// Lesson 09. A ball in the ground, a pendulum and a hanging weight: three rows, each with an error to get rid
 // of.
 #pragma once
 
@@ -77,7 +77,6 @@ List<DepthLimit> find_limits(const DriftSettings& settings);
 
 /// The run with this beta, which must be there.
 const RodRun& swing_of(const DriftRuns& all, double beta);
-const RodRun& hang_of(const DriftRuns& all, double beta);
 const BallRun& ball_of(const DriftRuns& all, double beta);
 
 /// g dt^2 / beta^2 [m].
@@ -97,20 +96,20 @@ void check_balls(Lesson& lesson, const DriftRuns& all);
 void check_limits(Lesson& lesson, const DriftRuns& all);
 CsvTable balls_table(const DriftRuns& all);
 
-/// Three pendulums, four weights, four balls, and the depth that a ground can hold.
+/// Four balls, the depth that a ground can hold, and three pendulums.
 List<Shot> drift_shots(const DriftRuns& all);
 
 /// Their parts, one for each scene, in the order of drift_shots().
-List<Shot> swing_shots(const DriftRuns& all);
-List<Shot> hang_shots(const DriftRuns& all);
 List<Shot> ball_shots(const DriftRuns& all);
+List<Shot> swing_shots(const DriftRuns& all);
 
 /// The step in which the ball with beta = 1 is highest.
 int highest_step(const DriftRuns& all);
 
 /// What is drawn of the balls.
 struct BallLook {
-  int step = 0;           // with outlines of all the steps before
+  int step = 0;           // with outlines of all the steps before of those that leave the ground
+  bool speeds = false;    // no outlines: what each row of the next step asks for, and what its ball has
   bool asks = false;      // how deep the balls are, and that we ask how high the one with beta = 1 comes
   bool measured = false;  // how high it is
 };

@@ -1,5 +1,5 @@
 // Balls that begin inside the ground: what pushes them out, and how deep is too deep; the question, the
-// frames of the three scenes, and the answer.
+// frames of the scenes, and the answer.
 #include "lesson.hpp"
 
 namespace cairn::drift {
@@ -7,6 +7,8 @@ namespace cairn::drift {
 namespace {
 
 const double ball_pitch = 1.3;  // [m] from ball to ball
+
+constexpr int speeds_until = 2;  // steps that show what rows ask for and what balls have
 
 /// All balls on one ground, side by side.
 Snapshot balls_together(const DriftRuns& all, int step) {
@@ -26,6 +28,37 @@ double highest_peak(const DriftRuns& all) {
   double peak = 0;
   for (const BallRun& run : all.balls) peak = std::max(peak, run.peak);
   return peak;
+}
+
+/// Of those balls that have left the ground, what was before `step`.
+List<Snapshot> flights(const DriftRuns& all, int step) {
+  List<Snapshot> earlier;
+  for (int k = 0; k < step; ++k) {
+    Snapshot scene = balls_together(all, k), flying = scene;
+    flying.bodies.resize(1);
+    for (int i = 0; i < all.balls.size(); ++i)
+      if (all.balls[i].peak > 0) flying.bodies.push_back(scene.bodies[{i + 1}]);
+    earlier.push_back(flying);
+  }
+  return earlier;
+}
+
+/// Above each ball, before the push of the next step: the speed that its row asks for, and the one that it
+/// has.
+void draw_speeds(Page& page, const Camera& camera, const DriftRuns& all, int step) {
+  const ArrowScale scale = arrow_scale(all.settings.depth / all.settings.dt, "m/s", camera);
+  TextStyle text = aligned(page.value(), Align::center);
+  for (int i = 0; i < all.balls.size(); ++i) {
+    const BallRun& run = all.balls[i];
+    const auto draw = [&](double side, ArrowKind kind, double speed) {
+      const Vec2<double> tail(i * ball_pitch + 0.3 * side, run.height[step] + 2 * ball_radius + 0.1);
+      draw_arrow(page, camera, scale, {.kind = kind, .tail = tail, .value = {0, speed}});
+      const Point tip = camera.project(tail) - Point(0, std::max(0.0, speed) * scale.pixels_per_unit);
+      page.canvas().text(tip - Point(0, 10), fixed(speed + 0.0, 2), text);
+    };
+    draw(-1, ArrowKind::external, run.zeta[step + 1]);
+    draw(1, ArrowKind::velocity, run.speed[step] - gravity * all.settings.dt);
+  }
 }
 
 int last_step(const DriftRuns& all) { return all.balls[0].steps.size() - 1; }
@@ -79,7 +112,8 @@ void draw_heights(Page& page, const Rect& rect, const DriftRuns& all, int step) 
 
 void draw_ball_step(Page& page, const DriftRuns& all, int step) {
   const List<Rect> parts = in_columns(page, {{0.5, {0.64, 0.36}}, {0.5, {0.64, 0.36}}});
-  draw_balls(page, parts[0], all, {.step = step});
+  const bool speeds = step <= speeds_until;
+  draw_balls(page, parts[0], all, {.step = speeds ? step - 1 : step, .speeds = speeds});
   draw_ball_table(page, parts[1], all, step);
   draw_heights(page, parts[2], all, step);
   page.equation(parts[3], equation_of(page, all, step));
@@ -155,18 +189,18 @@ void draw_lengths(Page& page, const Camera& camera, const DriftRuns& all, const 
 }  // namespace
 
 void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, const BallLook& look) {
-  const Rect inside = page.panel(rect, "β of each ball");
+  const Rect inside = page.panel(
+      rect, look.speeds ? "β of each ball; before the push (m/s), grey: asked, blue: has" : "β of each ball");
   const double right = ball_pitch * (all.balls.size() - 1);
   const double top = 2 * ball_radius + std::max(highest_peak(all), 0.0) + 0.1;
   const double bottom = -0.35;  // [m] at the lower edge of the panel
   Camera camera = fit(inside, {{-0.65, bottom}, {right + 0.65, top}});
   camera.center.y() = bottom + 0.5 * camera.viewport.height / camera.scale;
-  List<Snapshot> earlier;
-  for (int k = 0; k < look.step; ++k) earlier.push_back(balls_together(all, k));
-  draw_ghosts(page, camera, earlier);
+  if (!look.speeds) draw_ghosts(page, camera, flights(all, look.step));
   WorldLook world{.numbers = camera.scale >= 45, .names = {""}};
   for (const BallRun& run : all.balls) world.names.push_back(fmt::format("{:g}", run.beta));
   draw_world(page, camera, balls_together(all, look.step), world);
+  if (look.speeds) draw_speeds(page, camera, all, look.step);
   draw_lengths(page, camera, all, look);
 }
 
@@ -177,7 +211,7 @@ int highest_step(const DriftRuns& all) {
 
 List<Shot> ball_shots(const DriftRuns& all) {
   const int last = last_step(all);
-  const std::set<int> keys = {1, 2, 5};
+  const std::set<int> keys = {1, 2, 10};
   const int stride = std::max(1, last / 80);
   List<Shot> shots;
   for (int step = 1; step <= last; ++step) {
@@ -216,8 +250,6 @@ SeriesStyle beta_style(const Theme& theme, double beta) {
   if (beta == 0.1) return {.color = theme.si.color};
   if (beta == 0.5) return {.color = theme.jacobi.color, .dash = {2, 5}};
   if (beta == 1) return {.color = theme.box2d.color, .dash = {10, 5, 2, 5}};
-  if (beta == 1.8) return {.color = theme.secondary_text, .dash = {4, 4}};
-  if (beta == 2.1) return {.color = theme.friction, .dash = {16, 4}};
   return {.color = theme.pgs.color, .dash = {10, 6}};  // the reader's
 }
 
@@ -229,7 +261,7 @@ List<Shot> drift_shots(const DriftRuns& all) {
                            "how high the one with β = 1 comes",
                            1000 * all.settings.depth),
                {.asks = true}))};
-  for (const List<Shot>& part : {swing_shots(all), hang_shots(all), ball_shots(all)})
+  for (const List<Shot>& part : {ball_shots(all), swing_shots(all)})
     shots.insert(shots.end(), part.begin(), part.end());
   const int highest = highest_step(all);
   shots.push_back(answer_shot(

@@ -5,14 +5,14 @@ namespace cairn::drift {
 
 void print_scenes(Lesson& lesson, const DriftRuns& all) {
   lesson.print(
-      "Scenes: a pendulum, a hanging weight, a ball in the ground; one row each, and one push a step");
+      "Scenes: a ball in the ground, a pendulum, a hanging weight; one row each, and one push a step");
   lesson.print(
       fmt::format("        1 kg, g = {:g} m/s², Δt = {:.4g} s; β = {:g} unless a table says otherwise",
                   gravity, all.settings.dt, all.settings.beta));
 }
 
 void print_swings(Lesson& lesson, const DriftRuns& all) {
-  lesson.print(fmt::format("1. A pendulum of {:g} m, let go level with its pivot, after {:g} s:", rod_length,
+  lesson.print(fmt::format("2. A pendulum of {:g} m, let go level with its pivot, after {:g} s:", rod_length,
                            swing_time));
   lesson.print("   β       error c of the length (m)   largest c     energy (J), 0 if it were exact");
   for (const RodRun& run : all.swings) {
@@ -23,7 +23,7 @@ void print_swings(Lesson& lesson, const DriftRuns& all) {
 }
 
 void print_hangs(Lesson& lesson, const DriftRuns& all) {
-  lesson.print("2. A weight hangs on a rod, 100 mm too low. c ← c + ζ Δt = (1 − β) c, in mm:");
+  lesson.print("3. A weight hangs on a rod, 100 mm too low. c ← c + ζ Δt = (1 − β) c, in mm:");
   lesson.print("   β     start   step 1   step 2   step 3   step 4   step 5");
   for (const RodRun& run : all.hangs) {
     std::string line = fmt::format("   {:<4g}", run.beta);
@@ -36,7 +36,7 @@ void print_hangs(Lesson& lesson, const DriftRuns& all) {
 
 void print_balls(Lesson& lesson, const DriftRuns& all) {
   const DriftSettings& settings = all.settings;
-  lesson.print(fmt::format("3. A ball of 1 kg begins {:g} mm inside the ground:", 1000 * settings.depth));
+  lesson.print(fmt::format("1. A ball of 1 kg begins {:g} mm inside the ground:", 1000 * settings.depth));
   for (const double beta : ascending({settings.beta, 1})) {
     const BallRun& ball = ball_of(all, beta);
     for (int k = 1; k <= 4; ++k) {

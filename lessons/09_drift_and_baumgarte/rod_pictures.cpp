@@ -1,11 +1,9 @@
-// Pendulums that leave their circle, and weights that are pulled back onto theirs.
+// Pendulums that leave their circle.
 #include "lesson.hpp"
 
 namespace cairn::drift {
 
 namespace {
-
-const double weight_pitch = 0.42;  // [m] from weight to weight
 
 /// The true circle of the pendulum, its lower half and a little more.
 List<Vec2<double>> true_circle() {
@@ -74,85 +72,12 @@ Shot swing_shot(const DriftRuns& all, int step) {
           .draw = [&all, step](Page& page) { draw_swing(page, all, step); }};
 }
 
-/// All weights in one scene, side by side, each on its own rod.
-Snapshot side_by_side(const DriftRuns& all, int step) {
-  Snapshot scene = all.hangs[0].steps[step];
-  scene.bodies.resize(1);
-  scene.joints.clear();
-  for (int i = 0; i < all.hangs.size(); ++i) {
-    const Snapshot& one = all.hangs[i].steps[step];
-    const Vec2<double> offset(i * weight_pitch, 0);
-    scene.bodies.push_back(one.bodies[{1}]);
-    scene.bodies.back().pose.position += offset;
-    SnapshotJoint joint = one.joints[0];
-    joint.b = {i + 1};
-    joint.anchor_a += offset;
-    joint.anchor_b += offset;
-    scene.joints.push_back(joint);
-  }
-  return scene;
-}
-
-void draw_weights(Page& page, const Rect& rect, const DriftRuns& all, int step) {
-  const Rect inside = page.panel(rect, "β of each weight; dashed: where it should hang");
-  const double right = weight_pitch * (all.hangs.size() - 1);
-  const Camera camera = fit(inside, {{-0.3, -1.5}, {right + 0.3, 0.2}});
-  page.canvas().line(camera.project({-0.25, -rod_length}), camera.project({right + 0.25, -rod_length}),
-                     {.width = 1.5, .color = page.theme().inactive, .dash = {8, 5}});
-  draw_world(page, camera, side_by_side(all, step), {.numbers = false});
-  for (int i = 0; i < all.hangs.size(); ++i) {
-    const double beta = all.hangs[i].beta;
-    page.canvas().text(
-        camera.project({weight_pitch * i, 0.08}), fmt::format("{:g}", beta),
-        {.size = 20, .color = beta_style(page.theme(), beta).color, .bold = true, .align = Align::center});
-  }
-}
-
-void draw_hang(Page& page, const DriftRuns& all, int step) {
-  const List<Rect> parts = in_columns(page, {0.42, {0.58, {0.64, 0.36}}});
-  draw_weights(page, parts[0], all, step);
-  Plot plot{.title = "how far above its place each weight is: −c (mm)"};
-  plot.x = {.title = "step", .min = 0, .max = hang_steps};
-  plot.y = {.title = "", .min = -350, .max = 350};
-  for (const RodRun& run : all.hangs) {
-    List<double> heights;
-    for (int k = 0; k <= step; ++k) heights.push_back(-1000 * run.error[k]);
-    plot.series.push_back(over_steps(beta_name(run.beta), beta_style(page.theme(), run.beta), heights));
-    plot.series.back().markers = false;
-  }
-  draw_plot(page, parts[1], plot);
-  const RodRun& run = hang_of(all, all.settings.beta);
-  page.equation(parts[2], {.number = fmt::format("eq (7), β = {:g}", run.beta),
-                           .symbols = "c ← c + ζ Δt = (1 − β) c",
-                           .numbers = fmt::format("= (1 − {:g}) × {} mm", run.beta,
-                                                  fixed(1000 * run.error[step - 1], 2)),
-                           .result = fmt::format("= {} mm", fixed(1000 * run.error[step], 2))});
-}
-
-Shot hang_shot(const DriftRuns& all, int step) {
-  std::string alt = fmt::format("Hanging weights after step {}, off by", step);
-  for (const RodRun& run : all.hangs) {
-    alt += fmt::format(" {:.1f} mm with β = {:g};", 1000 * run.error[step], run.beta);
-  }
-  alt.back() = '.';
-  return {.state = fmt::format("weight · step {} of {}", step, hang_steps),
-          .alt = alt,
-          .draw = [&all, step](Page& page) { draw_hang(page, all, step); }};
-}
-
 }  // namespace
 
 List<Shot> swing_shots(const DriftRuns& all) {
   const int last = all.swings[0].steps.size() - 1;
   List<Shot> shots;
   for (int frame = 1; frame <= 50; ++frame) shots.push_back(swing_shot(all, frame * last / 50));
-  shots.back().key = true;
-  return shots;
-}
-
-List<Shot> hang_shots(const DriftRuns& all) {
-  List<Shot> shots;
-  for (int step = 1; step <= hang_steps; ++step) shots.push_back(hang_shot(all, step));
   shots.back().key = true;
   return shots;
 }

@@ -17,9 +17,8 @@ const LessonCard lesson10(
      .reads = {"src/solvers/non_zeros.hpp", "src/solvers/iterative/sparse_projected_gauss_seidel.hpp",
                "src/solvers/body_rows.hpp"},
      .question =
-         "Boxes in a pyramid give two rows of A for each overlap. In the largest pyramid, how many entries "
-         "in "
-         "an average row of A are not zero?",
+         "Boxes in a pyramid give two rows of A for each overlap. The largest pyramid has 800 rows. How many "
+         "of the 800 entries in an average row of A are not zero?",
      .spoilers = {"12.8", "98.4"},
      .unasked = {"sweeps"},
      .wrong = {{{15}, {17}, "8 + 8 counts the two rows of the same overlap twice."},

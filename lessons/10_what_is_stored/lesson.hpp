@@ -102,11 +102,11 @@ void check_building(Lesson& lesson, const StoredRun& run);
 void check_claims(Lesson& lesson, const StoredRun& run);
 CsvTable table_of(const StoredRun& run);
 
-/// Which rows meet, the pattern of A, pairs on which (30) errs, and what it all costs.
+/// Which rows meet, the pattern of A, a pair on which (30) errs, and what it all costs.
 List<Shot> stored_shots(const StoredRun& run);
 
-/// Their parts: pairs of rows for which (30) and A disagree, and charts.
-List<Shot> case_shots(const StoredRun& run);
+/// Their parts: a pair of rows for which (30) and A disagree, and charts.
+Shot case_shot(const StoredRun& run);
 List<Shot> cost_shots(const StoredRun& run);
 
 /// A panel with the pattern of A as large as `rect` allows. Returns the square.

@@ -13,7 +13,16 @@ void draw_pyramid(Page& page, const Rect& rect, const StoredRun& run, int which)
   const Rect inside = page.panel(rect, fmt::format("{} boxes: m = {:g} rows", count.bodies, count.rows));
   const double half = 0.5 * run.settings.spacing * count.base + 0.3;
   const Camera camera = fit(inside, {{-half, -0.5}, {half, count.base + 0.3}});
-  draw_world(page, camera, run.snapshots[which], {.numbers = false, .contacts = false, .penetration = false});
+  // So small that lines as thick as in other scenes would fill the gaps.
+  Snapshot boxes = run.snapshots[which], floor = boxes;
+  floor.bodies.resize(1);
+  draw_world(page, camera, floor, {.contacts = false});
+  for (const SnapshotBody& body : boxes.bodies) {
+    if (body.type == BodyType::static_body) continue;
+    const Point corner = camera.project(body.pose.position + Vec2<double>(-0.5, 0.5));
+    page.canvas().rect({corner.x(), corner.y(), camera.scale, camera.scale},
+                       {.fill = page.theme().body, .outline = page.theme().outline, .outline_width = 1});
+  }
 }
 
 /// Whether rows i and j of the smallest pyramid meet in A.
@@ -224,9 +233,8 @@ List<Shot> stored_shots(const StoredRun& run) {
                            "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
                            "thinner, and a grey block that only equation 30 counts.",
                            draw_patterns));
-  for (const List<Shot>& part : {case_shots(run), cost_shots(run)}) {
-    shots.insert(shots.end(), part.begin(), part.end());
-  }
+  shots.push_back(case_shot(run));
+  for (Shot& shot : cost_shots(run)) shots.push_back(std::move(shot));
   const Count& count = run.pyramids[largest];
   shots.push_back(answer_shot(
       card(), answer_frame(run),

@@ -12,28 +12,6 @@ ArrowScale force_scale(const Camera& camera, const Slide& slide) {
   return scale;
 }
 
-/// Where the contact's force acts: the mean of the points, weighed by their loads.
-Vec2<double> centre_of_pressure(const Snapshot& snapshot) {
-  Vec2<double> sum(0, 0);
-  double total = 0;
-  for (const SnapshotContact& contact : snapshot.contacts) {
-    sum += contact.normal_impulse * contact.position;
-    total += contact.normal_impulse;
-  }
-  if (!(total > 0)) return snapshot.bodies[first_block].pose.position;
-  return sum / total;
-}
-
-/// The sum of what the contact points give to the block [N]: along the normal, and downhill.
-Vec2<double> contact_force(const Snapshot& snapshot) {
-  Vec2<double> sum(0, 0);
-  for (const SnapshotContact& contact : snapshot.contacts) {
-    const double side = contact.b == first_block ? 1 : -1;
-    sum += Vec2<double>(contact.normal_impulse, side * contact.friction_impulse);
-  }
-  return sum / snapshot.dt;
-}
-
 /// An arrow whose label stands at its tip: beside the middle it would stand upon the block.
 void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const render::Arrow& arrow,
                 const std::string& text) {
@@ -49,8 +27,8 @@ void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const
   List<Point> places = {tip + Point(arrow.value.x() < 0 ? -width - 8 : 16, size / 3)};
   if (arrow.value.y() < 0) places.insert(places.begin(), tip + Point(side, 1.4 * size));
   // Clear of the bracket that may stand at the tip.
-  if (arrow.kind == ArrowKind::external) places.insert(places.begin(), tip + Point(size, -size));
-  if (arrow.kind == ArrowKind::friction) {
+  if (arrow.value.y() < 0) places.insert(places.begin(), tip + Point(size, -size));
+  if (arrow.value.x() < 0) {
     // Below the shaft, which comes down to the right from the tip.
     const double drop = 0.8 * width * std::abs(arrow.value.y() / arrow.value.x());
     places.insert(places.begin(), tip + Point(-0.2 * width, drop + 1.7 * size));
@@ -95,49 +73,36 @@ void draw_key(Page& page, const Rect& rect, const ArrowScale& scale) {
 
 }  // namespace
 
-void draw_forces(Page& page, const Rect& rect, const Slide& slide) {
-  const Slope& slope = slide.slope;
-  const Snapshot& now = slide.frames[1];
-  const Camera camera = draw_slope(page, rect, slide, "");
-  const ArrowScale scale = force_scale(camera, slide);
-  const Vec2<double> force = contact_force(now);
-  const Vec2<double> foot = centre_of_pressure(now);
-  const double pull = coulomb(slope, slide.block).needed;
-  const double held = std::abs(force.y());
-  draw_friction_limit(page, camera, scale, foot, slope.downhill(), slide.block.friction * force.x());
-  draw_force(page, camera, scale,
-             {.kind = ArrowKind::normal, .tail = foot, .value = force.x() * slope.normal()},
-             newtons("λ_{n}", force.x()));
-  draw_force(page, camera, scale,
-             {.kind = ArrowKind::friction, .tail = foot, .value = -held * slope.downhill()},
-             newtons("λ_{t}", held));
-  draw_force(page, camera, scale,
-             {.kind = ArrowKind::external, .tail = foot, .value = pull * slope.downhill()},
-             newtons("m g sin α", pull));
-  draw_key(page, rect, scale);
-}
-
 void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corners) {
   const Snapshot& now = slide.frames[1];
   const bool solved = corners == Corners::solved;
   const Camera camera = draw_slope(page, rect, slide, solved ? "" : significant(slide.block.mass) + " kg");
   const ArrowScale scale = force_scale(camera, slide);
   const Vec2<double> downhill = slide.slope.downhill();
-  const double half = coulomb(slide.slope, slide.block).given() / 2;
+  const Coulomb law = coulomb(slide.slope, slide.block);
   for (const SnapshotContact& contact : now.contacts) {
     const double load = contact.normal_impulse / now.dt;
-    const double held = solved ? std::abs(contact.friction_impulse) / now.dt : half;
+    const double held = solved ? std::abs(contact.friction_impulse) / now.dt : 0.5 * law.given();
     if (solved) {
       draw_friction_limit(page, camera, scale, contact.position, downhill, contact.friction * load);
       draw_force(page, camera, scale,
                  {.kind = ArrowKind::normal, .tail = contact.position, .value = load * slide.slope.normal()},
                  newtons("λ_{n}", load));
     }
+    // While it is asked for, only its direction is drawn: dashed, and equally long at both corners.
     draw_force(page, camera, scale,
-               {.kind = ArrowKind::friction, .tail = contact.position, .value = -held * downhill},
+               {.kind = solved ? ArrowKind::friction : ArrowKind::external,
+                .tail = contact.position,
+                .value = -held * downhill},
                solved ? newtons("λ_{t}", held) : "? N");
   }
-  if (solved) draw_key(page, rect, scale);
+  if (!solved) return;
+  draw_force(page, camera, scale,
+             {.kind = ArrowKind::external,
+              .tail = now.bodies[first_block].pose.position,
+              .value = law.needed * downhill},
+             newtons("m g sin α", law.needed));
+  draw_key(page, rect, scale);
 }
 
 }  // namespace cairn::friction

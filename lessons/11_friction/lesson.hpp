@@ -170,13 +170,9 @@ List<Shot> slide_shots(const Study& study);
 
 // Forces on the block, drawn upon the slope.
 
-/// The block with what pulls it down the slope, what carries it and what holds it, and how far the latter may
-/// go.
-void draw_forces(Page& page, const Rect& rect, const Slide& slide);
-
 /// What is drawn at the two corners.
 enum class Corners { asked, solved };
-/// The block's weight and the friction of both corners: as a question, or with its bracket and the load.
+/// The friction of both corners: as a question, or with its bracket, the load, and what pulls the block down.
 void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corners);
 
 }  // namespace cairn::friction

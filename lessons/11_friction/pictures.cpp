@@ -12,7 +12,7 @@ render::Bar named_bar(const std::string& name, double before, double added) {
 /// What holding would need, what the law allows, and what the row gives.
 BarChart force_bars(const Page& page, const Study& study, const Slide& slide) {
   const Coulomb law = coulomb(slide.slope, slide.block);
-  return {.title = "along the slope (N): needed, limit μ λ_{n}, given λ_{t}",
+  return {.title = "along the slope, both corners (N)",
           .bars = {named_bar("needed", law.needed, 0), named_bar("limit", law.limit, 0),
                    named_bar("given", 0, law.given())},
           .largest = 1.1 * std::max(law.needed, coulomb(slide.slope, study.rough.block).limit),
@@ -98,15 +98,16 @@ Shot force_shot(const Study& study, bool rough) {
   const Slide& slide = rough ? study.rough : study.slippery;
   const Coulomb law = coulomb(slide.slope, slide.block);
   return {.state = state_of(slide),
-          .alt = fmt::format("A block on a slope with the pull down the slope, {} N, the normal force {} N "
-                             "and friction {} N inside the brackets of its limit, {} N.",
-                             fixed(law.needed, 2), fixed(law.load, 2), fixed(law.given(), 2),
-                             fixed(law.limit, 2)),
+          .alt = fmt::format(
+              "A block on a slope with the pull down the slope, {} N, and at each corner its load "
+              "and its friction inside the brackets of its limit. Together the loads are {} N, the "
+              "friction is {} N and its limit {} N.",
+              fixed(law.needed, 2), fixed(law.load, 2), fixed(law.given(), 2), fixed(law.limit, 2)),
           .draw =
               [&study, rough](Page& page) {
                 const Slide& shown = rough ? study.rough : study.slippery;
                 const List<Rect> parts = in_columns(page, {50, {50, {50, 50}}});
-                draw_forces(page, parts[0], shown);
+                draw_corners(page, parts[0], shown, Corners::solved);
                 draw_bars(page, parts[1], force_bars(page, study, shown));
                 page.equation(parts[2], limit_equation(shown));
               },

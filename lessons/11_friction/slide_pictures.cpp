@@ -96,7 +96,7 @@ void draw_trial(Page& page, const Rect& rect, const Study& study, const Trial& t
     const BodyId block = {first_block.index + i};
     const Vec2<double> from = trial.contest.frames.front().bodies[block].pose.position;
     const Vec2<double> way = trial.contest.frames.back().bodies[block].pose.position - from;
-    if (way.norm() < 1e-3) continue;
+    if (way.norm() * camera.scale < 8) continue;  // it would be a dot
     draw_arrow(page, camera, {.pixels_per_unit = camera.scale, .longest = 1e4},
                {.kind = ArrowKind::velocity, .tail = from + Vec2<double>(0.15, 0.75), .value = way});
   }

@@ -46,7 +46,6 @@ class GoalObserver final : public SolveObserver<double> {
  private:
   void look(const VelocityProblem<double>& problem) {
     solve_.error.push_back(error_of(problem.impulse, exact_, problem.dt));
-    solve_.velocity.push_back(problem.velocity);
   }
   const Vector<double>& exact_;
   ChainSolve& solve_;

@@ -45,8 +45,8 @@ void draw_bob(Page& page, const Rect& rect, const BobRun& run, int step, const s
 /// While it begins, the energy as it is; in the end its excess over that of hanging still, in decades.
 void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, int step) {
   const bool soon = step * all.settings.dt <= shown_seconds * (1 + 1e-9);
-  Plot plot{.title = soon ? "energy (J), 0 at rest at the pin"
-                          : "energy above that of hanging still (J); gap: below"};
+  Plot plot{.title =
+                soon ? "energy (J), 0 at rest at the pin" : "energy above hanging (J); no line: below it"};
   plot.x = {.title = "t (s)", .min = 0, .max = soon ? shown_seconds : all.settings.pin_seconds};
   if (soon) {
     plot.y = {.min = -25, .max = 25};
@@ -89,7 +89,7 @@ List<Shot> bob_shots(const BlocksRuns& all) {
   List<Shot> shots;
   for (const int k : steps) {
     const double time = k * all.settings.dt;
-    shots.push_back({.state = fmt::format("C · {} s · step {}", fixed(time, 2), k),
+    shots.push_back({.state = fmt::format("bob · {} s · step {}", fixed(time, 2), k),
                      .alt = fmt::format(
                          "A bob on a pin after {:.2f} s: row by row its energy is {:.3g} J, with the block "
                          "{:.3f} J.",

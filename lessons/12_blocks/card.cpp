@@ -19,16 +19,17 @@ const LessonCard lesson12(
                "tests/solvers/iterative/block_tests.cpp"},
      .question =
          "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row and 1 "
-         "with its weld as a block; two take 110 and 61. Three take 435 row by row. How many per cent of "
-         "these remain with blocks?",
+         "with its weld as a block; two take 110 and 61. Three take 435 row by row. How many of these remain "
+         "with blocks: (1) few, as for one beam; (2) half, as for two; (3) three quarters; (4) nearly all?",
      .spoilers = {"326", "75 %", "three in four", "zig-zag"},
      .unasked = {"angle", "inertia", "sweeps"},
-     .wrong = {{{0},
-                {40},
+     .wrong = {{{1},
+                {1},
                 "That would be so if most of the conflict were within the welds. It is "
                 "between them."},
-               {{90},
-                {100},
+               {{2}, {2}, "The second beam adds a place where two welds meet, and so does the third."},
+               {{4},
+                {4},
                 "The first weld has rows that disturb each other much, and there a block "
                 "helps."}},
      .hints = {"A block ends the conflict between the rows of one joint. Are there others, and are there "

@@ -1,13 +1,9 @@
-// Three welded beams as sweeps go by, where blocks help, and the bars of the question.
+// Three welded beams, their A, and the bars of the question.
 #include "lesson.hpp"
 
 namespace cairn::blocks {
 
 namespace {
-
-const PerBody<Vec3<double>>& velocity_after(const ChainSolve& solve, int sweep) {
-  return solve.velocity[std::min(sweep, solve.sweeps)];
-}
 
 void draw_wall(Page& page, const Camera& camera) {
   const List<Point> wall = {camera.project({-0.2, -0.35}), camera.project({0, -0.35}),
@@ -18,36 +14,7 @@ void draw_wall(Page& page, const Camera& camera) {
   page.canvas().hatch(wall, {.width = 1, .color = page.theme().static_hatch}, page.sizes().hatch_pitch);
 }
 
-/// The beams where their velocities after these sweeps would lead within a second; solved, they stay level.
-void draw_beams(Page& page, const Rect& rect, const ChainRun& chain, const ChainSolve& solve, int sweep,
-                const std::string& name, const SeriesStyle& style) {
-  const int done = std::min(sweep, solve.sweeps);
-  const double error = solve.error[done];
-  const Rect inside =
-      page.panel(rect, fmt::format("{}, error {} %: 1 s with the velocities left after {} sweep{}", name,
-                                   fixed(100 * error, error < 0.02 ? 1 : 0), done, done == 1 ? "" : "s"));
-  page.canvas().rect({rect.x, rect.y, rect.width, 4}, {.fill = style.color});
-  const Camera camera = fit(inside, {{-0.25, -0.62}, {3.15, 0.38}});
-  page.canvas().push_clip(inside);
-  draw_wall(page, camera);
-  draw_ghosts(page, camera, List<Snapshot>{chain.start});
-  Snapshot moved = chain.start;
-  moved.joints.clear();
-  for (const BodyId body : moved.bodies.indices()) {
-    if (body == ground) continue;
-    const Vec3<double>& v = velocity_after(solve, done)[body];
-    moved.bodies[body].pose.position += v.head<2>();
-    moved.bodies[body].pose.angle += v.z();
-  }
-  draw_world(page, camera, moved, {.contacts = false, .penetration = false});
-  page.canvas().pop_clip();
-  const Pose<double>& last = moved.bodies[{moved.bodies.size() - 1}].pose;
-  const double drop = -last.position.y() - beam_length / 2 * std::sin(last.angle);
-  page.canvas().text({inside.x, inside.y + inside.height - 6},
-                     fmt::format("the far end hangs {} m lower", fixed(drop + 0.0, 2)), page.label());
-}
-
-void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep) {
+void draw_errors(Page& page, const Rect& rect, const ChainRun& chain) {
   Plot plot{.title = "largest error of λ, as a part of the largest λ (moments in N m, forces in N)"};
   plot.x = {.title = "sweep", .min = 0, .max = 1.1 * chain.rows.sweeps};
   plot.y = {.scale = AxisScale::logarithmic, .min = 0.003, .max = 2};
@@ -58,15 +25,7 @@ void draw_errors(Page& page, const Rect& rect, const ChainRun& chain, int sweep)
   add("rows", chain.rows, style_of_rows(page));
   add("blocks", chain.blocks, style_of_blocks(page));
   plot.goals.push_back({goal, "1 %"});
-  plot.cursor = sweep;
   draw_plot(page, rect, plot);
-}
-
-void draw_chain(Page& page, const ChainRun& chain, int sweep) {
-  const List<Rect> parts = in_rows(page, {{0.46, {0.5, 0.5}}, 0.54});
-  draw_beams(page, parts[0], chain, chain.rows, sweep, "rows", style_of_rows(page));
-  draw_beams(page, parts[1], chain, chain.blocks, sweep, "blocks", style_of_blocks(page));
-  draw_errors(page, parts[2], chain, sweep);
 }
 
 /// One entry of A with its number: in the blocks' colour where a block settles it.
@@ -76,7 +35,7 @@ void draw_entry(Page& page, const Rect& cell, double value, bool in_block) {
                             .outline = page.theme().grid,
                             .outline_width = 1});
   TextStyle text = page.value();
-  text.size = 0.26 * cell.height;
+  text.size = 0.3 * cell.height;
   text.align = Align::center;
   if (value != 0)
     page.canvas().text({cell.x + cell.width / 2, cell.y + 0.6 * cell.height}, significant(value, 3), text);
@@ -101,19 +60,19 @@ void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
                        {.outline = style_of_blocks(page).color, .outline_width = 4});
 }
 
-void draw_table(Page& page, const BlocksRuns& all) {
-  const List<Rect> parts = in_columns(page, {{0.48, {0.58, 0.42}}, 0.52});
-  TableView table{.header = {"sweeps to 1 %", "rows", "blocks", "work"}};
-  for (const ChainRun& chain : all.chains) {
-    const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
-    table.rows.push_back({chain.name, fmt::format("{}", chain.rows.sweeps),
-                          fmt::format("{}", chain.blocks.sweeps), fixed(ratio, 2)});
-  }
-  page.table(parts[0], "work: multiply-adds of blocks / of rows", table);
-  page.note(parts[1], "Where blocks help",
-            "A block settles its square on the diagonal. Here only the first square has rows that "
-            "couple. All else is between the joints, and takes its sweeps.");
-  draw_system(page, parts[2], all.chains[welded_three]);
+void draw_chain(Page& page, const BlocksRuns& all) {
+  const List<Rect> parts = in_rows(page, {0.3, 0.7});
+  draw_start(page, parts[0], all.chains[welded_three]);
+  draw_errors(page, parts[1], all.chains[welded_three]);
+}
+
+void draw_inside(Page& page, const BlocksRuns& all) {
+  const List<Rect> parts = in_columns(page, {0.55, 0.45});
+  draw_system(page, parts[0], all.chains[welded_three]);
+  page.card(
+      parts[1], "What a block settles",
+      "Its square on the diagonal. Only in the first square do rows couple: y with θ, at the wall. All else "
+      "stands beside the squares, between the joints, and takes its sweeps.");
 }
 
 }  // namespace
@@ -155,27 +114,16 @@ void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool a
 
 List<Shot> chain_shots(const BlocksRuns& all) {
   const ChainRun& chain = all.chains[welded_three];
-  std::set<int> sweeps = {1, 2, 5, 10, 20, 50, 100, 200};
-  sweeps.insert({chain.blocks.sweeps, chain.rows.sweeps});
-  List<Shot> shots;
-  for (const int sweep : sweeps) {
-    const auto error = [&](const ChainSolve& solve) {
-      return 100 * solve.error[std::min(sweep, solve.sweeps)];
-    };
-    shots.push_back(
-        {.state = fmt::format("B · three beams · sweep {}", sweep),
-         .alt = fmt::format("Three welded beams after {} sweeps: the largest error is {:.1f} % row by "
-                            "row and {:.1f} % with blocks.",
-                            sweep, error(chain.rows), error(chain.blocks)),
-         .draw = [&all, sweep](Page& page) { draw_chain(page, all.chains[welded_three], sweep); },
-         .key = sweep == 10});
-  }
-  shots.push_back(
-      key_shot(all, "B · all chains and a tower",
-               "A table of sweeps to 1 % by rows and by blocks, for chains of beams and a tower; beside "
-               "it A of three welded beams with the square of each weld framed.",
-               draw_table));
-  return shots;
+  return {key_shot(all, "beams · three, welded",
+                   fmt::format(
+                       "Three welded beams, and their largest error against sweeps: 1 % after {} row by row, "
+                       "after {} with blocks.",
+                       chain.rows.sweeps, chain.blocks.sweeps),
+                   draw_chain),
+          key_shot(all, "beams · A",
+                   "A of three welded beams with the square of each weld framed: only in the first square is "
+                   "there an entry beside the diagonal.",
+                   draw_inside)};
 }
 
 }  // namespace cairn::blocks

@@ -121,9 +121,9 @@ void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings
       fmt::format("  velocity updates: rows {}, blocks {}; 3 × 3 inverses: {} once a step, {} in each sweep",
                   savings.row_updates, savings.block_updates, savings.inverses_once, savings.inverses_again));
   print_shared(lesson, savings.shared);
-  lesson.print(
-      fmt::format("  and yet a sweep over ten welds takes {:.2f} times as long as blocks, on this machine",
-                  savings.time_ratio));
+  lesson.print(fmt::format(
+      "  and yet a sweep over ten welds as blocks takes {:.2f} times as long as row by row, on this machine",
+      savings.time_ratio));
   lesson.print();
 }
 

@@ -90,9 +90,13 @@ void run(Lesson& lesson) {
   const Savings savings = count_savings(all);
   print_savings(lesson, all, savings);
   const ChainRun& asked = all.chains[welded_three];
-  // 6 % and 55 % of the shorter chains make an estimate possible, to ten per cent of the whole.
+  const double left = share_left(asked);
   lesson.answer(
-      {share_left(asked)}, 10,
+      {left < 25   ? 1.0
+       : left < 65 ? 2.0
+       : left < 88 ? 3.0
+                   : 4.0},
+      0,
       fmt::format("{} of {} sweeps. A block ends the conflict between the rows of one joint. What is "
                   "left is between the joints, and takes nearly as many sweeps as before.",
                   asked.blocks.sweeps, asked.rows.sweeps));

@@ -33,7 +33,7 @@ struct RodUpdate {
   Vec2<double> slip = {0, 0};  // [m/s] velocity of the pinned end afterwards: what the pin forbids
 };
 
-/// Scene A.
+/// The pin of a rod, solved.
 struct RodRun {
   Snapshot start = {};
   SystemMatrices<double> system = {};
@@ -47,12 +47,11 @@ struct RodRun {
 /// One solver on one chain.
 struct ChainSolve {
   List<double> error = {};  // max |lambda - exact| / max |exact| after each sweep, until the goal
-  List<PerBody<Vec3<double>>> velocity = {};  // of all bodies after each sweep
-  int sweeps = 0;                             // to the goal
-  long long work = 0;                         // multiply-adds to the goal
+  int sweeps = 0;           // to the goal
+  long long work = 0;       // multiply-adds to the goal
 };
 
-/// Scene B, and others to compare it with.
+/// The beams, and others to compare them with.
 struct ChainRun {
   std::string name = {};
   int dense_sweeps = -1;  // by Gauss-Seidel on A lambda = b with a dense A; -1: not for rows with bounds
@@ -67,7 +66,7 @@ struct ChainRun {
 /// How many of the sweeps by rows are left with blocks [%].
 inline double share_left(const ChainRun& chain) { return 100.0 * chain.blocks.sweeps / chain.rows.sweeps; }
 
-/// Scene C: one solver.
+/// The bob: one solver.
 struct BobRun {
   List<Vec2<double>> path = {};  // [m] of the bob, after each step; 0: the start
   List<double> energy = {};      // [J], 0 at rest at the height of the pin
@@ -154,10 +153,10 @@ void print_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings
 void check_savings(Lesson& lesson, const BlocksRuns& all, const Savings& savings);
 CsvTable sweeps_table(const BlocksRuns& all);
 
-/// The question, every row update of the rod, the chain as sweeps go by, every step of the bob.
+/// The question, every row update of the rod, the chain, every step of the bob.
 List<Shot> blocks_shots(const BlocksRuns& all);
 
-/// The frames of the chain of three welded beams, and the table of all chains.
+/// The chain of three welded beams: its errors, and its A.
 List<Shot> chain_shots(const BlocksRuns& all);
 /// The frames of the bob.
 List<Shot> bob_shots(const BlocksRuns& all);

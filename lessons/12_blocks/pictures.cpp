@@ -5,7 +5,7 @@ namespace cairn::blocks {
 
 namespace {
 
-/// What a frame of scene A shows: the rod under these impulses, and the way to them.
+/// What a frame of the rod shows: the rod under these impulses, and the way to them.
 struct RodMoment {
   Pair lambda = {0, 0};        // [N]
   Vec2<double> slip = {0, 0};  // [m/s] of the pinned end
@@ -100,8 +100,7 @@ void draw_axes(Page& page, const Camera& camera, const RodRun& rod) {
   page.canvas().text({origin.x() + 8, view.y + text.size}, "λ_{2}", text);
 }
 
-void draw_way(Page& page, const Camera& camera, const RodMoment& moment) {
-  const SeriesStyle style = moment.block ? style_of_blocks(page) : style_of_rows(page);
+void draw_way(Page& page, const Camera& camera, const RodMoment& moment, const SeriesStyle& style) {
   List<Point> points;
   for (const Pair& stop : moment.way) points.push_back(camera.project({stop[0], stop[1]}));
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
@@ -117,8 +116,10 @@ void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment
   draw_row_line(page, camera, rod, 1);
   draw_axes(page, camera, rod);
   name_row_lines(page, camera, rod);
-  if (moment.block) draw_way(page, camera, after_update(rod, rod.updates.size() - 1));
-  draw_way(page, camera, moment);
+  SeriesStyle pale = style_of_rows(page);
+  pale.color = page.theme().inactive;
+  if (moment.block) draw_way(page, camera, after_update(rod, rod.updates.size() - 1), pale);
+  draw_way(page, camera, moment, moment.block ? style_of_blocks(page) : style_of_rows(page));
   page.canvas().circle(camera.project({rod.formula[0], rod.formula[1]}), page.sizes().joint,
                        {.outline = page.theme().exact.color, .outline_width = page.sizes().outline});
   page.canvas().pop_clip();
@@ -167,16 +168,17 @@ List<Shot> rod_shots(const BlocksRuns& all) {
   List<Shot> shots;
   for (int i = 1; i < all.rod.updates.size(); ++i) {
     const RodUpdate& update = all.rod.updates[i];
-    shots.push_back({.state = fmt::format("A · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
-                     .alt = fmt::format(
-                         "Sweep {}, row {}: the impulses are {:.3f} and {:.3f} N; one more step "
+    shots.push_back(
+        {.state = fmt::format("rod · rows · sweep {} · row {} of 2", update.sweep, update.row + 1),
+         .alt =
+             fmt::format("Sweep {}, row {}: the impulses are {:.3f} and {:.3f} N; one more step "
                          "of the zig-zag, and the pinned end moves at {:.4f} m/s.",
                          update.sweep, update.row + 1, update.after[0], update.after[1], update.slip.norm()),
-                     .draw = [&all, i](Page& page) { draw_update(page, all, i); },
-                     .key = i == 2 || i == 5});
+         .draw = [&all, i](Page& page) { draw_update(page, all, i); },
+         .key = i == 2 || i == 5});
   }
   shots.push_back(key_shot(
-      all, "A · the block · sweep 1",
+      all, "rod · the block · sweep 1",
       "The block goes from zero to the answer in one step, beside the zig-zag of the rows.", draw_block));
   return shots;
 }
@@ -213,7 +215,7 @@ QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
 }  // namespace
 
 SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
-SeriesStyle style_of_blocks(const Page& page) { return page.theme().jacobi; }
+SeriesStyle style_of_blocks(const Page& page) { return render::style_of_solver(page.theme(), "block"); }
 
 List<Shot> blocks_shots(const BlocksRuns& all) {
   List<Shot> shots = {question_shot(card(), question_frame(all, true))};

@@ -12,8 +12,9 @@ const double epsilon = 2.3e-16;
 void print_rod(Lesson& lesson, const BlocksRuns& all) {
   const RodRun& rod = all.rod;
   const Matrix<double>& A = rod.system.A;
-  lesson.print(fmt::format("A: the pin.  A = [{:.4g} {:.4g}; {:.4g} {:.4g}] 1/kg,  b = ({:.4g}, {:.4g}) m/s²",
-                           A(0, 0), A(0, 1), A(1, 0), A(1, 1), rod.system.b(0) + 0.0, rod.system.b(1)));
+  lesson.print(
+      fmt::format("Rod, its pin.  A = [{:.4g} {:.4g}; {:.4g} {:.4g}] 1/kg,  b = ({:.4g}, {:.4g}) m/s²",
+                  A(0, 0), A(0, 1), A(1, 0), A(1, 1), rod.system.b(0) + 0.0, rod.system.b(1)));
   lesson.print("  sweep row      j·v    Δλ (N), (22)       λ₁        λ₂ (N)   pinned end moves at (m/s)");
   for (int i = 0; i < rod.updates.size(); ++i) {
     const RodUpdate& update = rod.updates[i];
@@ -30,7 +31,8 @@ void print_rod(Lesson& lesson, const BlocksRuns& all) {
 
 void print_chains(Lesson& lesson, const BlocksRuns& all) {
   lesson.print(
-      "B: sweeps until no λ (N, N m) is wrong by more than 1 % of the largest, and multiply-adds for them");
+      "Beams: sweeps until no λ (N, N m) is wrong by more than 1 % of the largest, and multiply-adds for "
+      "them");
   lesson.print("                               rows   blocks    left (%)    work of blocks / rows");
   for (const ChainRun& chain : all.chains) {
     const double ratio = static_cast<double>(chain.blocks.work) / static_cast<double>(chain.rows.work);
@@ -45,8 +47,8 @@ std::string energy_text(double energy) { return fmt::format("{:>12.4g}", energy)
 void print_bob(Lesson& lesson, const BlocksRuns& all) {
   const BlocksSettings& settings = all.settings;
   const Matrix<double>& A = all.bob_A;
-  lesson.print(fmt::format("C: the bob.  A = [{:.6g} {:.6g}; {:.6g} {:.6g}] 1/kg", A(0, 0), A(0, 1), A(1, 0),
-                           A(1, 1)));
+  lesson.print(
+      fmt::format("Bob.  A = [{:.6g} {:.6g}; {:.6g} {:.6g}] 1/kg", A(0, 0), A(0, 1), A(1, 0), A(1, 1)));
   lesson.print(fmt::format("  A sweep of two rows leaves {:.7f} of the error; {} sweeps leave {:.5f}",
                            all.bob_rate, settings.sweeps, std::pow(all.bob_rate, settings.sweeps)));
   lesson.print(
@@ -140,11 +142,11 @@ void check_bob(Lesson& lesson, const BlocksRuns& all) {
 
 void print_scene(Lesson& lesson, const BlocksSettings& settings) {
   lesson.print(fmt::format(
-      "Scene: g = {:g} m/s², Δt = {:g} s; every body has 1 kg.  A: a rod of {:g} m on a pin, at {:g}°.",
-      gravity, settings.dt, rod_length, settings.angle));
-  lesson.print(fmt::format(
-      "  B: beams of {:g} × {:g} m.  C: a bob with I = {:g} kg m² on a pin, arm 1 m, {} sweeps a step.",
-      beam_length, beam_height, settings.inertia, settings.sweeps));
+      "Scene: g = {:g} m/s², Δt = {:g} s; every body has 1 kg.  A rod of {:g} m on a pin, at {:g}°.", gravity,
+      settings.dt, rod_length, settings.angle));
+  lesson.print(
+      fmt::format("  Beams of {:g} × {:g} m.  A bob with I = {:g} kg m² on a pin, arm 1 m, {} sweeps a step.",
+                  beam_length, beam_height, settings.inertia, settings.sweeps));
 }
 
 void print_runs(Lesson& lesson, const BlocksRuns& all) {

@@ -22,7 +22,8 @@ void draw_levels(Page& page, const Camera& camera, double error) {
                       page.sizes().hatch_pitch);
   page.canvas().line(camera.project({left_x, rest_length}), camera.project({right_x, rest_length}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 5}});
-  page.canvas().text(camera.project({0.58, rest_length + 0.03}), "no load", page.label());
+  page.canvas().text(camera.project({0.5 * (soft_x + rigid_x), rest_length + 0.03}), "c = 0: bottom, no load",
+                     aligned(page.label(), Align::center));
   const Stroke thin{.width = 1.5, .color = page.theme().text};
   const double x = left_x + 0.1, foot = rest_length + error;
   page.canvas().line(camera.project({x, rest_length}), camera.project({x, foot}), thin);
@@ -153,12 +154,11 @@ Shot step_shot(const SoftRuns& all, int step, bool key) {
 /// The weights before or after the first step, which is asked for.
 QuestionFrame weights_frame(const SoftRuns& all, int step) {
   return {.state = step == 0 ? "before the first step" : "after the first step",
-          .alt = step == 0
-                     ? "Two weights, one on a spring and one on a rod, both pressed down by 200 mm; the "
-                       "rod's push of 110 N, the spring's unknown one; and the question."
-                     : "Both weights after the first step with the pushes of their rows on one scale, "
-                       "the spring's as a force in pale beside them; and the "
-                       "answer.",
+          .alt = step == 0 ? "Two weights, one on a spring and one on a rod, both 200 mm too low; the "
+                             "rod's push of 110 N, the spring's unknown one; and the question."
+                           : "Both weights after the first step with the pushes of their rows on one scale, "
+                             "the spring's as a force in pale beside them; and the "
+                             "answer.",
           .scene = [&all, step](Page& page, const Rect& rect) { draw_weights(page, rect, all, step); }};
 }
 
@@ -179,8 +179,8 @@ void draw_spring(Page& page, const Camera& camera, double x, double bottom, doub
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = style.color});
 }
 
-SeriesStyle style_of_soft(const Page& page) { return page.theme().si; }
-SeriesStyle style_of_rigid(const Page& page) { return page.theme().jacobi; }
+SeriesStyle style_of_soft(const Page& page) { return render::neutral_styles(page.theme())[0]; }
+SeriesStyle style_of_rigid(const Page& page) { return render::neutral_styles(page.theme())[1]; }
 
 List<Shot> soft_shots(const SoftRuns& all) {
   List<Shot> shots = {question_shot(card(), weights_frame(all, 0))};

@@ -17,20 +17,20 @@ const LessonCard lesson14(
      .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
      .question =
          "Masses of 1, 2 and 3 kg hang on one rope over wheels without mass or friction, the 2 kg on two "
-         "parts of it. The rope is one row of J. From rest, which λ, the tension in N, does its first "
-         "update "
-         "give?",
+         "parts of it. Shared alike, their 60\u00a0N are 15\u00a0N for each of the four parts. All are let "
+         "go. Is "
+         "λ, the pull in the rope, (1) less than 15\u00a0N, (2) 15\u00a0N, (3) more?",
      .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
      .unasked = {"lift"},
-     .wrong = {{{15},
-                {15},
-                "That is the whole weight over four parts of rope, as if all masses were at "
-                "rest."},
-               {{30}, {30}, "With that the heaviest mass would hang still. It falls."}},
+     .wrong = {{{2}, {2}, "So it would be if all masses hung still. They do not."},
+               {{3},
+                {3},
+                "Then the two light masses would rise faster than the heavy one can fall. A light mass gives "
+                "way easily: its 1/m is large."}},
      .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",
                "λ follows from (22) with j·v = −4 g Δt: each part of the rope counts.",
                "j M⁻¹ jᵀ = 1/1 + 4/2 + 1/3."},
-     .parameters = {{"dt", 0.02, 0.0001, 0.1, "s", "time step"},
+     .parameters = {{"dt", 0.02, 0.001, 0.1, "s", "time step"},
                     {"m1", 1, 0.01, 100, "kg", "mass on the left, on one part of the rope"},
                     {"m2", 2, 0.01, 100, "kg", "mass in the middle, on two parts"},
                     {"m3", 3, 0.01, 100, "kg", "mass on the right, on one part"},

@@ -85,11 +85,17 @@ void run(Lesson& lesson) {
   const ObjectSweeps objects = sweep_objects(settings);
   print_objects(lesson, objects);
   const double tension = tension_by_hand(settings);
+  const double share = equal_share(settings);
+  const double rounding = 1e-9 * share;
   lesson.answer(
-      {tension}, 0.05 * tension,
-      "λ keeps y₁ + 2 y₂ + y₃ from shrinking. A mass goes down where the rope pulls with less than its "
-      "weight: " +
-          what_goes_down(settings) + ".");
+      {tension < share - rounding   ? 1.0
+       : tension > share + rounding ? 3.0
+                                    : 2.0},
+      0,
+      fmt::format(
+          "λ = {} N, where each part would carry {} N if all hung still. A mass goes down where the rope "
+          "pulls with less than its weight: {}.",
+          significant(tension), significant(share), what_goes_down(settings)));
   check_runs(lesson, all);
   check_calls(lesson, calls);
   check_objects(lesson, objects);

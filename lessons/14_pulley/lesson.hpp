@@ -14,7 +14,7 @@ struct PulleySettings {
   double dt = 0.02;                         // [s]
   FixedList<double, 3> masses = {1, 2, 3};  // [kg]
   int steps = 50;
-  int lift_step = 20;  // after it the third mass is thrown upwards
+  int lift_step = 20;  // after it the third mass is thrown upwards: at 0.4 s, as near as steps come
   double lift = 3;     // [m/s]
 };
 
@@ -48,6 +48,8 @@ PulleyStep look(const World<double>& world);
 /// Forgets what comes after a mass has met a wheel or has left the picture, in all runs alike.
 void end_at_wheels(PulleyRuns& all);
 
+/// What each part of the rope would carry [N] if the weights were shared alike: sum m_i g / sum r_i.
+double equal_share(const PulleySettings& settings);
 /// lambda [N] while the rope is taut: sum r_i g / sum r_i^2 / m_i.
 double tension_by_hand(const PulleySettings& settings);
 

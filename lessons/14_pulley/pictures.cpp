@@ -67,12 +67,11 @@ int hardest_pull(const PulleyRuns& all) {
   return static_cast<int>(std::max_element(steps.begin(), steps.end(), weaker) - steps.begin());
 }
 
-/// Newtons as lengths [N/m]: a weight is at most 1.5 m long, a pull 2.5 m, unless it is far beyond all
-/// weights.
+/// Newtons as lengths [N/m]: a weight is at most 1 m long, a pull 1.5 m, unless it is far beyond all weights.
 double newtons_per_metre(const PulleyRuns& all) {
   const double heaviest = gravity * *std::max_element(all.settings.masses.begin(), all.settings.masses.end());
   const double hardest = all.runs[0].steps[hardest_pull(all)].tension;
-  return std::max(std::min(hardest, 6 * heaviest) / 2.5, heaviest / 1.5);
+  return std::max(std::min(hardest, 6 * heaviest) / 1.5, heaviest);
 }
 
 /// All that is ever to be seen, so that the picture stands still: the weights below the lowest places.
@@ -103,7 +102,7 @@ Camera draw_masses(Page& page, const Rect& rect, const PulleyRuns& all, const Pu
 /// The weights, and the pull of each of the four parts of the rope.
 void draw_pulls(Page& page, const Camera& camera, const PulleyRuns& all, const PulleyStep& step) {
   const ArrowScale scale{
-      .pixels_per_unit = camera.scale / newtons_per_metre(all), .longest = 2.52 * camera.scale, .unit = "N"};
+      .pixels_per_unit = camera.scale / newtons_per_metre(all), .longest = 1.52 * camera.scale, .unit = "N"};
   for (int i = 0; i < 3; ++i) {
     const Vec2<double> middle = step.snapshot.bodies[{i + 1}].pose.position;
     const double weight = gravity * all.settings.masses[i];
@@ -162,9 +161,8 @@ void draw_equation(Page& page, const PulleyRuns& all) {
                                                   fixed(inverse, 4), all.settings.dt),
                            .result = fmt::format("= {} N", fixed(all.runs[0].steps[1].tension, 3)),
                            .color = page.theme().text});
-  TableView table{.header = {"solver, one sweep", "λ (N)", "bytes it keeps"}};
-  for (const PulleyRun& run : all.runs)
-    table.rows.push_back({run.solver, fixed(run.steps[1].tension, 3), fmt::format("{}", run.memory)});
+  TableView table{.header = {"solver, one sweep", "λ (N)"}};
+  for (const PulleyRun& run : all.runs) table.rows.push_back({run.solver, fixed(run.steps[1].tension, 3)});
   page.table(parts[3], "the same row in seven solvers", table);
 }
 
@@ -252,10 +250,10 @@ List<Shot> pulley_shots(const PulleyRuns& all) {
   const double tension = tension_by_hand(all.settings);
   shots.push_back(answer_shot(
       card(), moment(all, 1),
-      fmt::format("{} N, after one sweep. Each part of the rope pulls with it: {}, {} and {} N on the three "
-                  "masses. Where that is less than the weight, a mass goes down.",
-                  significant(tension), significant(tension), significant(2 * tension),
-                  significant(tension))));
+      fmt::format(
+          "{} N, after one sweep; shared alike it would be {} N. The light masses give way. Where the rope "
+          "pulls with less than the weight, a mass goes down.",
+          significant(tension), significant(equal_share(all.settings)))));
   return shots;
 }
 

@@ -148,9 +148,21 @@ CsvTable steps_table(const PulleyRuns& all) {
 }
 
 PulleySettings settings_of(const Lesson& lesson) {
-  return {.dt = lesson.real("dt"),
+  const double dt = lesson.real("dt");
+  return {.dt = dt,
           .masses = {lesson.real("m1"), lesson.real("m2"), lesson.real("m3")},
+          .steps = static_cast<int>(std::lround(1 / dt)),
+          .lift_step = static_cast<int>(std::lround(0.4 / dt)),
           .lift = lesson.real("lift")};
+}
+
+double equal_share(const PulleySettings& settings) {
+  double weight = 0, ends = 0;
+  for (int i = 0; i < 3; ++i) {
+    weight += gravity * settings.masses[i];
+    ends += parts[i];
+  }
+  return weight / ends;
 }
 
 }  // namespace cairn::pulley

@@ -45,7 +45,7 @@ class RopeOverWheels final : public ConstraintOf<RopeOverWheels> {
     row.extra[0] = {ends_[2].body, {0, static_cast<Real>(ends_[2].parts), 0}};  // the third body
     row.extra_count = 1;
     row.bounds = Bounds<Real>::unilateral();
-    row.keeps_slop = false;  // unlike a contact, it may not stay violated by the slop
+    row.keeps_slop = false;  // a contact may keep an error as large as the slop (lesson 09); a rope may not
     rows.add(row);
     // [/row]
   }

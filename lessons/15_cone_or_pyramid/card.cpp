@@ -12,16 +12,14 @@ const LessonCard lesson15(
      .paper = "paper 4.5, the interval of λ in 2.2, eq (22)",
      .equations =
          {"(22)     λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         one row for each axis",
-          "square   −μN ≤ λ_x ≤ μN,  −μN ≤ λ_y ≤ μN       two clamps: the pyramid, cut across",
-          "circle   √(λ_x² + λ_y²) ≤ μN                   one clamp, of the vector: the cone, cut across"},
+          "square   |λ_x| ≤ μ λ_n,  |λ_y| ≤ μ λ_n          two clamps: the pyramid, cut across",
+          "circle   √(λ_x² + λ_y²) ≤ μ λ_n                one clamp, of the vector: the cone, cut across"},
      .needs = {"lesson 03", "lesson 11"},
      .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
-     .question =
-         "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s; μ is 0.5, N is 10\u00a0N. With the length "
-         "of λ "
-         "clamped to μN it stops after 2.45\u00a0m. How far from its start does it stop if λ_x and λ_y are "
-         "each "
-         "clamped to μN?",
+     .question = "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s on a table that presses back with "
+                 "λ_n\u00a0=\u00a010\u00a0N; μ is 0.5. With the length of its friction clamped to μ λ_n it "
+                 "stops after "
+                 "2.45\u00a0m. How far from its start does it stop if λ_x and λ_y are each clamped to μ λ_n?",
      .spoilers = {"1.79", "0.87", "diamond"},
      .wrong = {{{2.44},
                 {2.46},

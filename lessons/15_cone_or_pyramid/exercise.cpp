@@ -20,9 +20,9 @@ struct Rows {
   double second = 0;
 };
 
-// One sweep. The first row stops the puck in its direction, within -limit .. limit [N s], which is μNΔt. The
-// second has what the first leaves of the disc: first² + second² is at most limit². Both clamp what they have
-// given in all.
+// One sweep. The first row stops the puck in its direction, within -limit .. limit [N s], which is μ λ_n Δt.
+// The second has what the first leaves of the disc: first² + second² is at most limit². Both clamp what they
+// have given in all.
 void sweep(Rows& rows, double limit, Puck& puck) {
   // Your code begins here: about twelve lines.
 

@@ -48,7 +48,7 @@ const List<Slip> slips = {
     {"The second row looks at what the first has given by now.", Slip::bound_before},
     {"A disc: first² + second² ≤ limit², so the second has a root of squares.", Slip::linear},
     {"Each correction was within its interval, but not their sum. Clamp the sum.", Slip::corrections},
-    {"Nothing was clamped: friction has no more than μNΔt.", Slip::no_limit},
+    {"Nothing was clamped: friction has no more than μ λ_n Δt.", Slip::no_limit},
     {"Friction acts both ways: an interval reaches as far below 0 as above.", Slip::one_way},
     {"A speed is no impulse: (22) divides it by 1/m.", Slip::speed},
     {"Equation (22) divides by 1/m: a heavy puck needs more.", Slip::per_mass},

@@ -78,7 +78,7 @@ void run(Lesson& lesson) {
   // A textbook's way of computing it leaves out half a step, by which semi-implicit Euler lags.
   const double lag = 0.5 * settings.dt * settings.speed();
   lesson.answer({right}, 0.02 * right + lag,
-                "Each axis stops by itself, as on a rail. In its corners the square allows √2 μN: too "
+                "Each axis stops by itself, as on a rail. In its corners the square allows √2 μ λ_n: too "
                 "strong, and against v only along the diagonals.");
   check_slides(lesson, all);
   lesson.film(slide_shots(all));

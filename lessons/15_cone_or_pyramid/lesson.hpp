@@ -114,6 +114,8 @@ struct Forces {
 Camera draw_table(Page& page, const Rect& rect, const Slides& all, int k);
 
 /// The names of both limits, in their colours.
+/// How the circle looks, or the square: in what is drawn, and in the names of it.
+SeriesStyle limit_style(const Page& page, bool is_circle);
 TextStyle name_style(const Page& page, double size, const Color& color);
 
 /// From the start to where a puck stops: a line `aside` px beside its way, with its length.

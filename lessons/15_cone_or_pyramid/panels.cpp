@@ -54,7 +54,7 @@ Camera draw_floor(Page& page, const Rect& rect, const Slides& all) {
 
 /// A puck in the colour of its limit, with the name of that beside it while it moves.
 void draw_puck(Page& page, const Camera& camera, const Slides& all, int k, bool is_circle) {
-  const SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
+  const SeriesStyle style = limit_style(page, is_circle);
   const double radius = all.settings.puck_radius() * camera.scale;
   const Slide& slide = is_circle ? all.circle : all.square;
   const Point at = camera.project(slide.steps[k].place);
@@ -69,7 +69,19 @@ void draw_puck(Page& page, const Camera& camera, const Slides& all, int k, bool 
                   camera.viewport, is_circle ? "circle" : "square", text);
 }
 
-/// Axes, the square in one piece and the circle dashed.
+/// Where both pucks were, in their colours.
+void draw_earlier(Page& page, const Camera& camera, const Slides& all, int k) {
+  const int ghosts = 6, last = all.circle.steps.size() - 1;
+  for (const bool is_circle : {true, false}) {
+    const Slide& slide = is_circle ? all.circle : all.square;
+    for (int i = 0; i * last / ghosts < k && i < ghosts; ++i)
+      page.canvas().circle(
+          camera.project(slide.steps[i * last / ghosts].place), all.settings.puck_radius() * camera.scale,
+          {.outline = limit_style(page, is_circle).color, .outline_width = page.sizes().ghost});
+  }
+}
+
+/// Axes, the square dashed and the circle in one piece.
 void draw_limit_lines(Page& page, const Camera& camera, double limit, double reach) {
   const Stroke axis{.width = 1, .color = page.theme().inactive};
   page.canvas().line(camera.project({-reach, 0}), camera.project({reach, 0}), axis);
@@ -80,25 +92,31 @@ void draw_limit_lines(Page& page, const Camera& camera, double limit, double rea
                                      Vec2<double>(-1, 1), Vec2<double>(-1, -1)}) {
     corners.push_back(camera.project(limit * corner));
   }
-  page.canvas().polyline(corners, {.width = width, .color = page.theme().box2d.color});
+  const SeriesStyle square = limit_style(page, false);
+  page.canvas().polyline(corners, {.width = width, .color = square.color, .dash = square.dash});
   List<Point> rim;
   for (int i = 0; i <= 96; ++i)
     rim.push_back(camera.project({limit * std::cos(i * pi / 48), limit * std::sin(i * pi / 48)}));
-  page.canvas().polyline(rim, {.width = width, .color = page.theme().si.color, .dash = page.theme().si.dash});
+  page.canvas().polyline(rim, {.width = width, .color = limit_style(page, true).color});
 }
 
 void name_limits(Page& page, const Camera& camera, double limit) {
   const double size = page.tick().size;
   const Point corner = camera.project({-limit, limit});
   page.canvas().text({corner.x(), corner.y() - 8}, "square",
-                     name_style(page, size, page.theme().box2d.color));
-  TextStyle circle = aligned(name_style(page, size, page.theme().si.color), Align::right);
+                     name_style(page, size, limit_style(page, false).color));
+  TextStyle circle = aligned(name_style(page, size, limit_style(page, true).color), Align::right);
   page.canvas().text(camera.project({0.66 * limit, -0.64 * limit}), "circle", circle);
   TextStyle tick = aligned(page.tick(), Align::right);
-  page.canvas().text(camera.project({limit, 0}) - Point(8, 6), fmt::format("μN = {:g} N", limit), tick);
+  page.canvas().text(camera.project({limit, 0}) - Point(8, 6), fmt::format("μ λ_{{n}} = {:g} N", limit),
+                     tick);
 }
 
 }  // namespace
+
+SeriesStyle limit_style(const Page& page, bool is_circle) {
+  return render::neutral_styles(page.theme())[is_circle ? 0 : 1];
+}
 
 TextStyle name_style(const Page& page, double size, const Color& color) {
   return {.size = std::max(size, render::large_text),  // or colours would be too pale
@@ -109,15 +127,9 @@ TextStyle name_style(const Page& page, double size, const Color& color) {
 
 Camera draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
   const Camera camera = draw_floor(page, rect, all);
-  List<Snapshot> earlier;
-  const int ghosts = 6;
-  const int last = all.circle.steps.size() - 1;
-  for (int i = 0; i < ghosts; ++i) {
-    if (i * last / ghosts < k) earlier.push_back(both_pucks(all, i * last / ghosts));
-  }
-  draw_ghosts(page, camera, earlier);
-  draw_path(page, camera, all.circle, k, page.theme().si);
-  draw_path(page, camera, all.square, k, page.theme().box2d);
+  draw_earlier(page, camera, all, k);
+  draw_path(page, camera, all.circle, k, limit_style(page, true));
+  draw_path(page, camera, all.square, k, limit_style(page, false));
   if (k == 0) draw_world(page, camera, both_pucks(all, k), {.numbers = false});
   for (const Slide* slide : {&all.circle, &all.square}) {
     if (k > 0) draw_puck(page, camera, all, k, slide == &all.circle);
@@ -147,8 +159,9 @@ Camera draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces
     const Vec2<double> along = forces.velocity / speed;
     page.canvas().line(camera.project({0, 0}), camera.project(-reach * along),
                        {.width = 1.5, .color = page.theme().velocity, .dash = {6, 5}});
-    draw_arrow(page, camera, {.pixels_per_unit = camera.scale, .longest = 1e4},
-               {.kind = ArrowKind::velocity, .value = 0.7 * limit * along, .label = "v"});
+    TextStyle against = page.label();
+    against.halo = page.theme().panel;
+    page.canvas().text(camera.project(-0.75 * reach * along) + Point(12, 0), "against v", against);
   }
   const ArrowScale scale{.pixels_per_unit = camera.scale, .longest = 1e4, .unit = "N"};
   for (const Vec2<double>& force : forces.grey) {
@@ -181,8 +194,9 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
     rim.push_back(camera.project(stopping_distance(all.settings, all.settings.speed()) * along));
     diamond.push_back(camera.project(stop_on_rails(all.settings, all.settings.speed() * along)));
   }
-  page.canvas().polyline(rim, {.width = 1.5, .color = page.theme().si.color, .dash = page.theme().si.dash});
-  page.canvas().polyline(diamond, {.width = 1.5, .color = page.theme().box2d.color});
+  page.canvas().polyline(rim, {.width = 1.5, .color = limit_style(page, true).color});
+  const SeriesStyle square_style = limit_style(page, false);
+  page.canvas().polyline(diamond, {.width = 1.5, .color = square_style.color, .dash = square_style.dash});
   const double radius = page.sizes().marker;
   for (int i = 0; i < count; ++i) {
     const Direction& direction = all.directions[i];
@@ -190,12 +204,13 @@ void draw_stops(Page& page, const Rect& rect, const Slides& all, int count) {
     const Point square = camera.project(direction.square);
     page.canvas().line(start, circle, thin);
     page.canvas().line(circle, square, {.width = 1.5, .color = page.theme().inactive, .dash = {4, 3}});
-    draw_marker(page.canvas(), circle, page.theme().si.marker, radius, page.theme().si.color);
-    draw_marker(page.canvas(), square, page.theme().box2d.marker, radius, page.theme().box2d.color);
+    draw_marker(page.canvas(), circle, limit_style(page, true).marker, radius, limit_style(page, true).color);
+    draw_marker(page.canvas(), square, limit_style(page, false).marker, radius,
+                limit_style(page, false).color);
   }
   for (const bool is_circle : {true, false}) {  // in the corners at the right, where no puck stops
     const Point at = camera.project({0.7 * distance, (is_circle ? 0.96 : -0.96) * distance});
-    const SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
+    const SeriesStyle style = limit_style(page, is_circle);
     draw_marker(page.canvas(), at, style.marker, radius, style.color);
     page.canvas().text({at.x() + 2 * radius, at.y() + radius}, is_circle ? "circle" : "square", page.label());
   }
@@ -235,8 +250,8 @@ Series slides_series(const SeriesStyle& style, const Slides& all, int count, Vec
 
 List<Series> over_direction(const Page& page, const Slides& all, int count, Measure measure) {
   return {formula_series(page, measure),
-          slides_series(page.theme().si, all, count, &Direction::circle, measure),
-          slides_series(page.theme().box2d, all, count, &Direction::square, measure)};
+          slides_series(limit_style(page, true), all, count, &Direction::circle, measure),
+          slides_series(limit_style(page, false), all, count, &Direction::square, measure)};
 }
 
 double length_of(const Vec2<double>& place) { return place.norm(); }

@@ -53,11 +53,11 @@ void draw_row(Page& page, const Slides& all, int i) {
        .color = page.theme().friction},
       i + 1, i == 0 ? "Row x" : "Row y",
       i == 0
-          ? fmt::format("This row sees v_{{x}} alone. Stopping it within the step would take {} times μN, so "
-                        "the clamp leaves −μN: the side of the square.",
+          ? fmt::format("This row sees v_{{x}} alone. Stopping it within the step would take {} times "
+                        "μ λ_{{n}}, so the clamp leaves −μ λ_{{n}}: the side of the square.",
                         significant(-wanted.x() / settings.limit()))
           : fmt::format("This row sees v_{{y}} alone. Together the rows brake with {} N, which is {} times "
-                        "μN, {}° off the dashed line against v.",
+                        "μ λ_{{n}}, {}° off the dashed line against v.",
                         fixed(parts.norm(), 2), fixed(parts.norm() / settings.limit(), 2),
                         fixed(std::min(off, 2 * pi - off) * 180 / pi, 1)));
 }
@@ -70,12 +70,12 @@ void draw_vector(Page& page, const Slides& all) {
       page, all,
       {.grey = {parts_clamped(settings, wanted)}, .active = {vector}, .velocity = settings.velocity},
       {.number = "paper 4.5",
-       .symbols = "λ ← λ min(1, μN / |λ|)",
+       .symbols = "λ ← λ min(1, μ λ_{n} / |λ|)",
        .numbers = fmt::format("= {} × {:g} / {:g}", pair_text(wanted, 0), settings.limit(), wanted.norm()),
        .result = fmt::format("= {} N", pair_text(vector, 2)),
        .color = page.theme().friction},
       3, "Both rows together",
-      "One clamp, of the length. λ still points against v, and its length is μN in every direction: "
+      "One clamp, of the length. λ still points against v, and its length is μ λ_{n} in every direction: "
       "Coulomb's "
       "circle.");
 }
@@ -93,8 +93,8 @@ void draw_speeds(Page& page, const Rect& rect, const Slides& all, int k) {
   const int last = all.circle.steps.size() - 1;
   plot.x = {.title = "t (s)", .min = 0, .max = last * all.settings.dt};
   plot.y = {.title = "", .min = 0, .max = 1.1 * all.settings.speed()};
-  plot.series = {speed_series("square", page.theme().box2d, all, all.square),
-                 speed_series("circle", page.theme().si, all, all.circle)};
+  plot.series = {speed_series("square", limit_style(page, false), all, all.square),
+                 speed_series("circle", limit_style(page, true), all, all.circle)};
   plot.now = k * all.settings.dt;
   draw_plot(page, rect, plot);
 }
@@ -107,7 +107,7 @@ void draw_step(Page& page, const Slides& all, int k) {
   double base = camera.viewport.y;
   for (const bool is_circle : {false, true}) {  // at the head of each force its limit's marker
     const Vec2<double>& lambda = is_circle ? circle : square;
-    const SeriesStyle& style = is_circle ? page.theme().si : page.theme().box2d;
+    const SeriesStyle style = limit_style(page, is_circle);
     draw_marker(page.canvas(), camera.project(lambda), style.marker, 1.3 * page.sizes().marker, style.color);
     base += 1.4 * page.sizes().title;
     TextStyle text = aligned(name_style(page, page.sizes().title, style.color), Align::right);
@@ -157,15 +157,21 @@ void draw_way(Page& page, const Camera& camera, const Slide& slide, double aside
   const Vec2<double> end = slide.steps.back().place;
   draw_dimension(page, camera, end, aside,
                  fmt::format("{}: {:.2f} m", is_circle ? "circle" : "square", end.norm()),
-                 (is_circle ? page.theme().si : page.theme().box2d).color);
+                 limit_style(page, is_circle).color);
 }
 
 /// The table before the first step with the way that is known, and what limits the friction.
 void draw_question(Page& page, const Rect& rect, const Slides& all) {
   const List<Rect> halves = in_columns(page, rect, {0.5, 0.5});
   const Camera camera = draw_table(page, halves[0], all, 0);
-  draw_way(page, camera, all.circle, 24);
-  TextStyle asked = aligned(name_style(page, page.sizes().title, page.theme().box2d.color), Align::right);
+  const SeriesStyle known = limit_style(page, true);
+  const Point start = camera.project({0, 0}), stop = camera.project(all.circle.steps.back().place);
+  page.canvas().line(start + 0.36 * (stop - start), stop, {.width = 1.5, .color = known.color, .dash = {8, 6}});
+  page.canvas().circle(stop, all.settings.puck_radius() * camera.scale,
+                       {.outline = known.color, .outline_width = page.sizes().outline});
+  draw_way(page, camera, all.circle, 40);
+  TextStyle asked =
+      aligned(name_style(page, page.sizes().title, limit_style(page, false).color), Align::right);
   page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
                      asked);
   draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});

@@ -20,8 +20,8 @@ void print_first_step(Lesson& lesson, const Slides& all) {
                              inverse_effective_mass(all.first, row), settings.dt, fixed(wanted[i] + 0.0, 2),
                              settings.limit(), fixed(parts[i] + 0.0, 2)));
   }
-  lesson.print(fmt::format("  parts clamped    λ = {} N, {:.2f} N long: {:.1f} % of μN", pair_text(parts, 2),
-                           parts.norm(), 100 * parts.norm() / settings.limit()));
+  lesson.print(fmt::format("  parts clamped    λ = {} N, {:.2f} N long: {:.1f} % of μ λ_n",
+                           pair_text(parts, 2), parts.norm(), 100 * parts.norm() / settings.limit()));
   lesson.print(fmt::format("  vector clamped   λ = {} × {:g} / {:g} = {} N, against v", pair_text(wanted, 0),
                            settings.limit(), wanted.norm(), pair_text(vector, 2)));
   lesson.print();
@@ -73,7 +73,7 @@ void check_limits(Lesson& lesson, const Slides& all) {
   // A velocity is rounded by epsilon of the speed, and λ has it times m / Δt.
   const double rounding = 16 * epsilon * puck_mass * settings.speed() / settings.dt;
   lesson.check_small("circle: λ is the vector clamped by hand, in every step (N)", gap, rounding);
-  lesson.check_small("circle: λ beyond μN, in any step (N)", beyond, 8 * epsilon * settings.limit());
+  lesson.check_small("circle: λ beyond μ λ_n, in any step (N)", beyond, 8 * epsilon * settings.limit());
 }
 
 /// Each step rounds the velocity, and the place keeps all of it: n times epsilon of the distance, some few
@@ -142,8 +142,8 @@ std::string pair_text(const Vec2<double>& pair, int decimals) {
 
 void print_scene(Lesson& lesson, const SlideSettings& settings) {
   lesson.print(fmt::format(
-      "Scene: a puck of {:g} kg on a table, seen from above; N = {:g} N, μ = {:g}, so μN = {:g} N", puck_mass,
-      puck_load, settings.mu, settings.limit()));
+      "Scene: a puck of {:g} kg on a table, seen from above; λ_n = {:g} N, μ = {:g}, so μ λ_n = {:g} N",
+      puck_mass, puck_load, settings.mu, settings.limit()));
   lesson.print(fmt::format("       v = ({:g}, {:g}) m/s, {:g} m/s at {:.2f}°; Δt = {:g} s, one sweep a step",
                            settings.velocity.x(), settings.velocity.y(), settings.speed(), settings.degrees(),
                            settings.dt));
