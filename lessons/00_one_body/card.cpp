@@ -13,24 +13,26 @@ const LessonCard lesson00(
                    "(12)  v₂ = v₁ + M⁻¹ f Δt,  here f = m g;  then x₂ = x₁ + v₂ Δt"},
      .reads = {"src/dynamics/body.hpp", "src/dynamics/integrate.cpp", "src/geometry/mass.cpp"},
      .question =
-         "A box is thrown at 4 m/s to the right and 6 m/s upwards. Each step of 0.02 s first adds gravity, "
-         "10 "
-         "m/s², to its velocity and then moves it with the new velocity. After 60 steps the exact parabola "
-         "is "
-         "back at its starting height. Is the simulated box above it or below, and by how many metres "
-         "(negative: "
-         "below)?",
-     .spoilers = {"0.12", "g Δt t"},
-     .wrong = {{{-0.001},
-                {0.001},
-                "The steps do not follow the parabola: each moves with the velocity of its "
-                "own end."},
-               {{0.11}, {0.13}, "That is what comes out if each step moves with the old velocity first."}},
-     .hints =
-         {"Which velocity does a step use: the one at its beginning or the one at its end?",
-          "While the box slows down on its way up, the velocity at the end of a step is the smaller one.",
-          "In each step the velocity used is g Δt / 2 smaller than the mean one; that adds up for t "
-          "seconds."},
+         "A box swings on a spring, twice a second and 1\u00a0m to each side; nothing brakes it. Each step "
+         "of "
+         "0.02\u00a0s first moves it with its velocity, and then changes the velocity by what the spring "
+         "pulls. How many metres to each side does it swing after two seconds?",
+     .spoilers = {"21", "1.031"},
+     .unasked = {"gravity", "spin", "steps"},
+     .wrong = {{{0.9},
+                {1.1},
+                "So it would with the two lines in the other order. Here each move takes a velocity that is "
+                "out of "
+                "date."},
+               {{1.101},
+                {8},
+                "A step changes the swing only a little, but there are 100, and each multiplies."}},
+     .hints = {"Pulled 1 m aside and at rest: which way does the first step move the box, and which way "
+               "should it?",
+               "Draw v/4π against x. The exact motion runs round a circle. Where does a step that goes "
+               "straight on "
+               "end, inside or outside?",
+               "Each step multiplies the swing by √(1 + (4π Δt)²), here 1.031."},
      .parameters =
          {{.flag = "dt", .standard = 0.02, .min = 1e-4, .max = 0.2, .unit = "s", .what = "time step"},
           {.flag = "gravity", .standard = 10, .min = 0.1, .max = 100, .unit = "m/s²", .what = "gravity"},

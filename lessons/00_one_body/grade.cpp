@@ -49,8 +49,7 @@ ExpectedNumber after_one(const char* what, Axis axis, const Numbers& inverse_mas
            {old + moved + inverse_mass[x] * f * of_dt * of_dt, "θ has its own inverse mass, 1/I."},
            {old + moved - change, "The sign: the force comes with its own."},
            {moved + change, "Add to the place: do not replace it."},
-           {old + moved + (w * f - 10) * of_dt * of_dt,
-            "The force is all that acts: add no gravity to it."},
+           {old + moved + (w * f - 10) * of_dt * of_dt, "The force is all that acts: add no gravity to it."},
            {old + moved + w * f * dt * dt, "The step has 0.008 s here: take dt, not a number of your own."}},
       .tolerance = rounding};
 }
@@ -69,27 +68,27 @@ ExpectedNumber after_two(const char* what) {
 }  // namespace
 
 Exercise exercise() {
-  return {.lesson = 0,
-          .task = "One step of semi-implicit Euler for a body that stores two places, and no velocity.",
-          .file = "lessons/00_one_body/exercise.cpp",
-          .hints = {"How far would the body go in this step if no force acted on it?",
-                    "The page's second line moves it by the new velocity times dt. Put the first line into it.",
-                    "Do it by hand for the page's box: before (−4.08, 0.88), place (−4, 1), next y = 1.116."},
-          .grade = [](Grade& grade) {
-            const Body body = flown(box_of_2_kg, 1), heavy = flown(box_of_4_kg, 1);
-            grade.number(after_one("2 kg, one step of 0.02 s: x (m)", x, box_of_2_kg), body.place[x]);
-            grade.number(after_one("2 kg, one step of 0.02 s: y (m)", y, box_of_2_kg), body.place[y]);
-            grade.number(after_one("2 kg, one step of 0.02 s: θ (rad)", angle, box_of_2_kg),
-                         body.place[angle]);
-            grade.number(after_one("4 kg, the same force: y (m)", y, box_of_4_kg), heavy.place[y]);
-            grade.number(after_one("2 kg, one step of 0.008 s: y (m)", y, box_of_2_kg, 0.4 * dt),
-                         flown(box_of_2_kg, 1, 0.4 * dt).place[y]);
-            grade.number(after_two("2 kg, two steps of 0.02 s: y (m)"), flown(box_of_2_kg, 2).place[y]);
-            grade.number({.what = "2 kg, 60 steps of 0.02 s: y (m)",
-                          .value = place_by_formula(y, box_of_2_kg[y] * force[y], 60),
-                          .tolerance = rounding},
-                         flown(box_of_2_kg, 60).place[y]);
-          }};
+  return {
+      .lesson = 0,
+      .task = "One step of semi-implicit Euler for a body that stores two places, and no velocity.",
+      .file = "lessons/00_one_body/exercise.cpp",
+      .hints = {"How far would the body go in this step if no force acted on it?",
+                "The page's second line moves it by the new velocity times dt. Put the first line into it.",
+                "Do it by hand for the page's box: before (−4.08, 0.88), place (−4, 1), next y = 1.116."},
+      .grade = [](Grade& grade) {
+        const Body body = flown(box_of_2_kg, 1), heavy = flown(box_of_4_kg, 1);
+        grade.number(after_one("2 kg, one step of 0.02 s: x (m)", x, box_of_2_kg), body.place[x]);
+        grade.number(after_one("2 kg, one step of 0.02 s: y (m)", y, box_of_2_kg), body.place[y]);
+        grade.number(after_one("2 kg, one step of 0.02 s: θ (rad)", angle, box_of_2_kg), body.place[angle]);
+        grade.number(after_one("4 kg, the same force: y (m)", y, box_of_4_kg), heavy.place[y]);
+        grade.number(after_one("2 kg, one step of 0.008 s: y (m)", y, box_of_2_kg, 0.4 * dt),
+                     flown(box_of_2_kg, 1, 0.4 * dt).place[y]);
+        grade.number(after_two("2 kg, two steps of 0.02 s: y (m)"), flown(box_of_2_kg, 2).place[y]);
+        grade.number({.what = "2 kg, 60 steps of 0.02 s: y (m)",
+                      .value = place_by_formula(y, box_of_2_kg[y] * force[y], 60),
+                      .tolerance = rounding},
+                     flown(box_of_2_kg, 60).place[y]);
+      }};
 }
 
 }  // namespace cairn::exercise00

@@ -2,7 +2,7 @@
 // A step of semi-implicit Euler changes v first, by (12), and then moves the body with the
 // new v. A box is thrown and nothing touches it, so we know where it should be: on a parabola. We fly it
 // three times, with the library, with the same two lines by hand, and with the two lines swapped (explicit
-// Euler), and look how far from the parabola each ends.
+// Euler), and look how far from the parabola each ends. Then the two orders on a spring.
 #include "lesson.hpp"
 
 namespace {
@@ -64,18 +64,21 @@ void run(Lesson& lesson) {
   thrown.velocity.z() = lesson.real("spin");
   const Flight flight = fly(thrown);
   const Convergence convergence = halve_the_step(thrown);
+  const Springs springs = swing(thrown.dt);
 
   tell_scene(lesson, flight);
   lesson.predict();
   tell_steps(lesson, flight);
   tell_convergence(lesson, convergence);
-  lesson.answer({final_error(flight, flight.semi_implicit)}, 0.005,
-                "Below, by g Δt t/2: every step moves with the velocity of its end, which is too low.");
+  tell_springs(lesson, springs);
+  lesson.answer({swing_at_end(springs.explicit_euler)}, 1,
+                "Each step multiplies the swing by √(1 + (4π Δt)²), and there are many of them.");
   check_claims(lesson, flight, convergence);
+  check_springs(lesson, springs);
   lesson.data(table_of(flight));
   lesson.fingerprint(flight.cairn.back());
   if (lesson.draws()) lesson.print("Pictures are drawn offscreen by " + Canvas(64, 64).backend() + ".");
-  lesson.film(pictures({flight, convergence}));
+  lesson.film(pictures({flight, convergence, springs}));
 }
 
 }  // namespace

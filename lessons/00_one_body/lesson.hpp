@@ -39,6 +39,27 @@ struct Particle {
   Vec2<double> velocity = {0, 0};  // [m/s]
 };
 
+/// The box on a spring; an element for every instant, the start included.
+struct Swing {
+  List<double> x = {};  // [m]
+  List<double> v = {};  // [m/s]
+};
+
+/// The same spring with the two lines of a step in either order.
+struct Springs {
+  double dt = 0.02;           // [s]
+  Swing explicit_euler = {};  // position first
+  Swing semi_implicit = {};   // velocity first
+};
+
+inline constexpr double swing_seconds = 2;
+
+/// A box that swings twice a second, for swing_seconds, from x = 1 m at rest.
+Springs swing(double dt);
+
+/// How far to each side it swings at the end, if it goes on without error [m].
+double swing_at_end(const Swing& swing);
+
 /// Appends an instant to the flight.
 void record(Flight& flight, const World<double>& world, const Particle& semi_implicit,
             const Particle& explicit_euler);
@@ -57,13 +78,16 @@ double rounding_of_height(const Flight& flight);
 void tell_scene(Lesson& lesson, const Flight& flight);
 void tell_steps(Lesson& lesson, const Flight& flight);
 void tell_convergence(Lesson& lesson, const Convergence& convergence);
+void tell_springs(Lesson& lesson, const Springs& springs);
 void check_claims(Lesson& lesson, const Flight& flight, const Convergence& convergence);
+void check_springs(Lesson& lesson, const Springs& springs);
 CsvTable table_of(const Flight& flight);
 
 /// What all frames share.
 struct Story {
   Flight flight = {};
   Convergence convergence = {};
+  Springs springs = {};
 };
 
 /// All frames, from the question to the answer.
@@ -74,11 +98,23 @@ List<Shot> pictures(const Story& story);
 struct SceneLook {
   int step = 0;
   bool velocity = true;  // the arrow
-  bool asks = false;     // marks the height that the question is about
 };
 
 /// The box with up to seven earlier outlines and the paths so far; once they part, their ends enlarged.
 void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLook& look);
+
+/// The two orders look the same in all pictures.
+SeriesStyle semi_implicit_style(const Page& page);
+SeriesStyle explicit_style(const Page& page);
+
+/// The box on its spring, pulled aside, and what is asked.
+void draw_spring_question(Page& page, const Rect& rect);
+
+/// Where the box is on its spring, over time, in either order.
+void draw_swings(Page& page, const Rect& rect, const Springs& springs);
+
+/// The first swing, velocity against position: a spiral and an ellipse.
+void draw_loops(Page& page, const Springs& springs);
 
 /// Height above the parabola over time, up to `step`.
 void draw_errors(Page& page, const Rect& rect, const Story& story, int step);

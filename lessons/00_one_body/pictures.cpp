@@ -15,7 +15,7 @@ Equation step_equation(const Story& story, int step) {
   const double after = flight.cairn[step].bodies[{1}].velocity.y();
   const std::string dt = significant(thrown.dt);
   return {.number = fmt::format("eq (12), step {}", step),
-          .symbols = "v ← v + g Δt,   then  y ← y + v_{y} Δt",
+          .symbols = "v_{y} ← v_{y} − g Δt,   then  y ← y + v_{y} Δt",
           .numbers = fmt::format("v_{{y}}: {} − {} × {} = {} m/s", fixed(before, 2),
                                  significant(thrown.gravity), dt, fixed(after, 2)),
           .result = fmt::format("y: {} {} {} × {} = {} m", fixed(height(flight.semi_implicit, step - 1), 3),
@@ -72,7 +72,7 @@ Shot step_shot(const Story& story, int step) {
               step, fixed(height(flight.semi_implicit, step), 3), fixed(height(flight.exact, step), 3),
               fixed(height(flight.explicit_euler, step), 3)),
           .draw = draw,
-          .key = step == 1 || step == 3 || step == steps / 3 || step == 2 * steps / 3};
+          .key = step == 1 || step == 3 || step == steps / 3 || step == steps};
 }
 
 void draw_order(Page& page, const Rect& rect, const Story& story) {
@@ -119,32 +119,29 @@ void draw_convergence(Page& page, const Story& story) {
 }
 
 Shot shot_of_answer(const Story& story) {
-  const int last = story.flight.thrown.steps;
+  const double end = swing_at_end(story.springs.explicit_euler);
   const std::string text = fmt::format(
-      "Below, by {} m = g Δt t/2: each step moves with the velocity of its end. Explicit Euler takes that of "
-      "its beginning, and ends as far above.",
-      significant(-final_error(story.flight, story.flight.semi_implicit)));
-  const auto scene = [&story, last](Page& page, const Rect& rect) {
-    draw_scene(page, rect, story, {.step = last, .velocity = false});
-  };
+      "{} m. Each step that moves first takes a velocity that is out of date, and multiplies the swing. With "
+      "the velocity first the box goes on swinging by 1 m.",
+      significant(end, 2));
   return answer_shot(
       card(),
-      {.state = fmt::format("after {} s", significant(story.flight.time.back())),
-       .alt = "The box at the end of its flight below the exact parabola, explicit Euler as far above it. " +
+      {.state = fmt::format("after {} s", significant(swing_seconds)),
+       .alt = "Where the box is on its spring over two seconds: with the position first it swings "
+              "further each time, with the velocity first it does not. " +
               text,
-       .scene = scene},
+       .scene = [&story](Page& page, const Rect& rect) { draw_swings(page, rect, story.springs); }},
       text);
 }
 
 }  // namespace
 
 List<Shot> pictures(const Story& story) {
-  List<Shot> shots = {question_shot(card(), {.state = "before the throw",
-                                             .alt = "A box before its flight, its velocity as an arrow, the "
-                                                    "exact parabola ahead of it, and the question",
-                                             .scene = [&story](Page& page, const Rect& rect) {
-                                               draw_scene(page, rect, story, {.asks = true});
-                                             }})};
+  List<Shot> shots = {question_shot(
+      card(),
+      {.state = "before it is let go",
+       .alt = "A box on a spring, pulled 1 m aside; and the question how far it swings after two seconds",
+       .scene = draw_spring_question})};
   shots.push_back(key_shot(story, "one body, three numbers",
                            "The box before the throw; a table of its position and its velocity; and M⁻¹ as a "
                            "diagonal matrix: 1, 1 and 6.",
@@ -155,6 +152,11 @@ List<Shot> pictures(const Story& story) {
                "The error at the end of the flight over the time step, on logarithmic axes: measured "
                "points on a line of slope 1, from the standard step to a sixteenth of it.",
                draw_convergence));
+  shots.push_back(
+      key_shot(story, "on a spring",
+               "Velocity against position in the first swing: with the position first a spiral that "
+               "runs outwards, with the velocity first an ellipse beside the exact circle.",
+               [](Page& page, const Story& of) { draw_loops(page, of.springs); }));
   shots.push_back(shot_of_answer(story));
   return shots;
 }

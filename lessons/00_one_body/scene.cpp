@@ -88,8 +88,8 @@ void draw_enlarged(Page& page, const Camera& scene, const Flight& flight, int st
   const Point exact = camera.project(flight.exact[step]), aside(24, 0);
   page.canvas().push_clip(camera.viewport);
   draw_line(page, camera, end_of(flight.exact, step, 3), {.width = thin, .color = page.theme().exact.color});
-  for (const auto& [path, style] : {std::pair{&flight.explicit_euler, page.theme().jacobi},
-                                    std::pair{&flight.semi_implicit, page.theme().si}}) {
+  for (const auto& [path, style] : {std::pair{&flight.explicit_euler, explicit_style(page)},
+                                    std::pair{&flight.semi_implicit, semi_implicit_style(page)}}) {
     draw_line(page, camera, end_of(*path, step, 3),
               {.width = page.sizes().curve, .color = style.color, .dash = style.dash});
     const Point end = camera.project((*path)[step]);
@@ -115,6 +115,9 @@ Series error_series(const Flight& flight, const List<Vec2<double>>& path, int st
 
 }  // namespace
 
+SeriesStyle semi_implicit_style(const Page& page) { return render::neutral_styles(page.theme())[1]; }
+SeriesStyle explicit_style(const Page& page) { return render::neutral_styles(page.theme())[2]; }
+
 void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLook& look) {
   const Camera camera = camera_of(rect, story);
   const Flight& flight = story.flight;
@@ -126,19 +129,15 @@ void draw_scene(Page& page, const Rect& rect, const Story& story, const SceneLoo
   draw_ghosts(page, camera, earlier);
   const Snapshot& now = flight.cairn[look.step];
   draw_world(page, camera, now, {.names = {"", ""}});
-  if (look.asks || look.step == flight.thrown.steps) draw_start(page, camera, flight);
+  if (look.step == flight.thrown.steps) draw_start(page, camera, flight);
   draw_line(page, camera, flight.exact, {.width = page.sizes().axis, .color = page.theme().exact.color});
   draw_trail(page, camera, end_of(flight.explicit_euler, look.step, look.step),
-             path_style(page.theme().jacobi, look.step));
+             path_style(explicit_style(page), look.step));
   draw_trail(page, camera, end_of(flight.semi_implicit, look.step, look.step),
-             path_style(page.theme().si, look.step));
+             path_style(semi_implicit_style(page), look.step));
   draw_enlarged(page, camera, flight, look.step);
   if (look.velocity) draw_velocity(page, camera, story, now.bodies[{1}]);
-  if (look.asks) {  // how far is the simulated box from the end of the parabola?
-    const Point end = camera.project(flight.exact.back()), half(0, 0.4 * camera.scale);
-    measure(page, end - half, end + half, "? m");
-  }
-  // How long a metre is, because the answer is a length.
+  // How long a metre is, because the errors are lengths.
   const Point right(rect.x + rect.width - 48, rect.y + rect.height - 6);
   measure(page, right - Point(camera.scale, 0), right, "1 m");
 }
@@ -150,8 +149,9 @@ void draw_errors(Page& page, const Rect& rect, const Story& story, int step) {
   Plot plot = {.title = "height above the exact parabola (m)",
                .x = {.title = "t (s)", .min = 0, .max = flight.time[last]},
                .y = {.min = -most, .max = most}};
-  plot.series.push_back(error_series(flight, flight.explicit_euler, step, "explicit", page.theme().jacobi));
-  plot.series.push_back(error_series(flight, flight.semi_implicit, step, "semi-implicit", page.theme().si));
+  plot.series.push_back(error_series(flight, flight.explicit_euler, step, "explicit", explicit_style(page)));
+  plot.series.push_back(
+      error_series(flight, flight.semi_implicit, step, "semi-implicit", semi_implicit_style(page)));
   plot.goals.push_back({.y = 0, .text = "exact"});
   if (step < last) plot.cursor = flight.time[step];
   draw_plot(page, rect, plot);

@@ -22,14 +22,15 @@ void draw_where(Page& page, const Story& story) {
   const Rod& rod = story.rod;
   const Vec2<double> along = rod.jacobian.head<2>();
   const List<std::pair<std::string, Vec3<double>>> moves = {{"1 m to the right", {1, 0, 0}},
-                                                            {"1 m to the left", {-1, 0, 0}},
                                                             {"1 m along the rod", {along.x(), along.y(), 0}},
+                                                            {"1 m to the left", {-1, 0, 0}},
                                                             {"turned by 1 rad", {0, 0, 1}}};
   RodLook look{.pose = rod.pose, .close = true, .errors = true, .circles = true};
   TableView table{.header = {"the box, moved", "c"}, .rows = {{"not at all", "0 m"}}};
   for (const auto& [name, move] : moves) {
-    look.others.push_back(carried(rod.pose, move, 1));
-    table.rows.push_back({name, fixed(error_at(rod, look.others.back()), 2, Sign::always) + " m"});
+    const Pose<double> moved = carried(rod.pose, move, 1);
+    table.rows.push_back({name, fixed(error_at(rod, moved), 2, Sign::always) + " m"});
+    if (look.others.size() < 2) look.others.push_back(moved);  // more would lie on each other
   }
   const List<Rect> parts = draw_scene(page, rod, look, 0.42);
   const Vec2<double>& p = rod.settings.anchor;
@@ -245,7 +246,7 @@ List<Shot> rod_shots(const Story& story) {
                draw_jacobian));
   for (int k = 0; k < 3; ++k) shots.push_back(nudge_shot(story, k));
   for (const Shot& next : motion_shots(story)) shots.push_back(next);
-  shots.push_back(key_shot(story, "jᵀ λ: how strong",
+  shots.push_back(key_shot(story, "jᵀ λ: which force",
                            "The pull of the rod as an arrow at the anchor and its torque as an arc.",
                            draw_force));
   shots.push_back(key_shot(story, "j against differences",

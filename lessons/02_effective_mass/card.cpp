@@ -18,7 +18,8 @@ const LessonCard lesson02(
      .needs = {"lesson 01"},
      .reads = {"src/constraints/row.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
      .question =
-         "A unit box of 6\u00a0kg falls at 1\u00a0m/s on a fixed peg. Below its centre, the peg stops it "
+         "A unit box of 6\u00a0kg (I\u00a0=\u00a01\u00a0kg\u00a0m²) falls at 1\u00a0m/s on a fixed peg. "
+         "Below its centre, the peg stops it "
          "with 6\u00a0N\u00a0s. Below its corner, does it take more or less to stop the point above the "
          "peg, and how many N\u00a0s? The rest of the box may go on.",
      .spoilers = {"2.4 N s", "2.4 kg", "less than half"},

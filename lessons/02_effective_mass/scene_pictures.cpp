@@ -9,7 +9,7 @@ constexpr double longest_push = 0.8;  // [m] of the arrow in the middle
 constexpr double longest_bar = 0.55;  // [m]
 constexpr double longest_ray = 0.75;  // [m]
 // [m] that the box would have fallen, for each outline; the last one is darkest
-constexpr FixedList<double, 3> ways = {0.45, 0.3, 0.15};
+constexpr FixedList<double, 3> ways = {0.15, 0.1, 0.05};
 
 void draw_fall(Page& page, const Camera& camera, const Pushes& all, const Push& push, const PegLook& look) {
   const Vec3<double>& v = (look.after ? push.after : push.before).bodies[{2}].velocity;

@@ -23,6 +23,16 @@ const LessonCard lesson03(
          "heavy box still fall, in m/s?",
      .spoilers = {"0.19", "stops box 1"},
      .unasked = {"sweeps", "seed"},
+     .wrong = {{{0},
+                {0.02},
+                "The last push leaves box 2 and the heavy box equally fast, and box 2 still falls."},
+               {{0.09},
+                {0.11},
+                "So fast falls box 2 before the last push. The heavy box hardly notices that push."},
+               {{0.14},
+                {0.16},
+                "So it would with 1 kg on top. The push changes nine times the mass a ninth as much."},
+               {{0.199}, {0.21}, "Box 2 is slower by then, so the last contact has an error, and pushes."}},
      .hints =
          {"A push has two ends: it slows the upper box and speeds up the lower one, the lighter one "
           "more.",

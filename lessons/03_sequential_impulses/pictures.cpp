@@ -29,15 +29,31 @@ int active_interface(const StackRun& run, const Moment& moment) {
   return run.interface_of_row[run.updates[moment.update].update.row];
 }
 
+/// [N] The question's stack is followed for one sweep only, far below what it needs in the end.
+double largest_arrow(const StackRun& run) {
+  return run.settings.top == 1 ? run.exact[0] : 2 * lambda_after(run, 1)[0];
+}
+
+void name_masses(Page& page, const Camera& camera, const StackRun& run) {
+  const TextStyle style = aligned(page.label(), Align::center);
+  const int boxes = run.settings.boxes;
+  for (int i = 0; i < boxes; ++i) {
+    const double mass = i + 1 == boxes ? run.settings.top : 1;
+    page.canvas().text(camera.project({0, i + 0.78}), fmt::format("{:g} kg", mass), style);
+  }
+}
+
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const Moment& moment) {
-  draw_stack_panel(page, rect,
-                   {.stack = run.snapshot,
-                    .lambda = moment.lambda,
-                    .velocity = box_velocities(moment.velocity),
-                    .earlier = box_velocities(moment_after(run, moment.update - 1).velocity),
-                    .active = active_interface(run, moment),
-                    .largest_lambda = run.exact[0],
-                    .largest_velocity = run.settings.gravity * run.settings.dt});
+  const Camera camera =
+      draw_stack_panel(page, rect,
+                       {.stack = run.snapshot,
+                        .lambda = moment.lambda,
+                        .velocity = box_velocities(moment.velocity),
+                        .earlier = box_velocities(moment_after(run, moment.update - 1).velocity),
+                        .active = active_interface(run, moment),
+                        .largest_lambda = largest_arrow(run),
+                        .largest_velocity = run.settings.gravity * run.settings.dt});
+  if (run.settings.top != 1) name_masses(page, camera, run);
 }
 
 BarChart lambda_bars(const StackRun& run, const Moment& moment) {
@@ -132,17 +148,15 @@ void draw_heavy(Page& page, const Rect& rect, const StackRun& run, int sweep) {
                                           .lambda = lambda_after(run, sweep),
                                           .velocity = velocities_after(run, sweep),
                                           .earlier = velocities_after(run, 0),
-                                          .largest_lambda = 2 * lambda_after(run, 1)[0],
+                                          .largest_lambda = largest_arrow(run),
                                           .largest_velocity = run.settings.gravity * run.settings.dt});
-  TextStyle style = aligned(page.label(), Align::center);
+  name_masses(page, camera, run);
   const int boxes = run.settings.boxes;
   for (int i = 0; i < boxes; ++i) {
-    const double mass = i + 1 == boxes ? run.settings.top : 1;
-    page.canvas().text(camera.project({0, i + 0.18}), fmt::format("{:g} kg", mass), style);
     const Point beside = camera.project({-1, i}) + Point(0, i == 0 ? -12 : 6);  // off the ground's line
     if (sweep == 0) page.canvas().text(beside, fmt::format("visit {}", i + 1), page.secondary());
   }
-  style = {.size = 24, .color = page.theme().velocity, .bold = true};
+  const TextStyle style{.size = 24, .color = page.theme().velocity, .bold = true};
   const std::string fall = significant(-velocities_after(run, sweep).back());
   page.canvas().text(camera.project({0.62, boxes - 0.15}),
                      sweep == 0 ? "after one sweep: ?" : "still " + fall + " m/s", style);
@@ -152,15 +166,16 @@ Shot update_shot(const StackRun& run, int index) {
   const RowUpdate<double>& update = run.updates[index].update;
   const int row = run.interface_of_row[update.row] + 1;
   const double dt = run.settings.dt;
-  return {.state = fmt::format("sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps, row,
-                               run.settings.boxes),
+  const bool is_heavy = run.settings.top != 1;
+  return {.state = fmt::format("{}sweep {}/{} · row {} of {}", is_heavy ? "9 kg on top · " : "", update.sweep,
+                               run.settings.sweeps, row, run.settings.boxes),
           .alt = fmt::format(
               "Sweep {}, row {}: the boxes part at {:.4f} m/s, so the contact gives {:.4f} N more, "
               "{:.4f} N in total; exact is {:g} N.",
               update.sweep, row, update.row_velocity, update.corrective / dt, update.impulse_after / dt,
               run.exact[row - 1]),
           .draw = [&run, index](Page& page) { draw_update(page, run, index); },
-          .key = index < 6};
+          .key = is_heavy || index < 6};
 }
 
 }  // namespace
@@ -181,6 +196,7 @@ List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
                "λ of the contacts over the sweeps, rising to the exact values; and the velocities "
                "of the boxes, going to zero.",
                draw_course));
+  for (int i = 0; i < heavy.settings.boxes; ++i) shots.push_back(update_shot(heavy, i));
   const List<double> after = velocities_after(heavy, 1);
   const std::string fall = significant(-after.back());
   shots.push_back(answer_shot(

@@ -14,23 +14,44 @@ Pair exact_impulses(const BoxRun& box, double speed) {
   return both;
 }
 
-/// A box on two round feet: each touches the ground in one point. The feet alone are there to touch it: the
-/// wrong clamp leaves such speeds within a step that a corner of the box would meet the ground too. Two more,
-/// above, put the centre of mass into its middle.
-Scene box_on_feet(const Pair& foot, double speed) {
-  const double radius = 0.054, leg = 0.066;  // [m] the middle of a foot is a leg below the box
+constexpr double foot_radius = 0.054, leg = 0.066;  // [m] the middle of a foot is a leg below the box
+
+/// A box on two round feet: each touches the ground in one point. Two more, above, put the centre of mass
+/// into its middle.
+BodySpec box_on_feet(const Pair& foot, double speed) {
+  const double at = 0.5 + leg;
+  return {.shapes = {circle(foot_radius, {foot[0], -at}), circle(foot_radius, {foot[1], -at}),
+                     circle(foot_radius, {-foot[0], at}), circle(foot_radius, {-foot[1], at})},
+          .position = {0, at + foot_radius},
+          .velocity = {0, -speed},
+          .mass = box_mass,
+          .inertia = box_inertia,
+          .material = {.friction = 0}};
+}
+
+/// The same after its landing, with corners that touch the ground, too. While it lands they must not: its
+/// feet alone are to stop it, and the wrong clamp leaves such speeds within that step that a corner would
+/// help.
+BodySpec with_corners(BodySpec box, const Pose<double>& pose, const Vec3<double>& velocity) {
+  constexpr double radius = 0.02;
+  List<Shape<double>> shapes(box.shapes.begin(), box.shapes.end());
+  for (const double x : {-1, 1})
+    for (const double y : {-1, 1}) shapes.push_back(circle(radius, {(0.5 - radius) * x, (0.5 - radius) * y}));
+  box.shapes = shapes;
+  box.position = pose.position;
+  box.angle = pose.angle;
+  box.velocity = velocity.head<2>();
+  box.angular_velocity = velocity.z();
+  return box;
+}
+
+Scene on_the_ground(const BodySpec& box) {
   Scene scene({.gravity = {0, -gravity},
                .dt = time_step,
                .stabilization = {.policy = StabilizationPolicy::baumgarte},
                .warm_start = false});
   scene.add_ground({.material = {.friction = 0}});
-  scene.add({.shapes = {circle(radius, {foot[0], -0.5 - leg}), circle(radius, {foot[1], -0.5 - leg}),
-                        circle(radius, {-foot[0], 0.5 + leg}), circle(radius, {-foot[1], 0.5 + leg})},
-             .position = {0, 0.5 + leg + radius},
-             .velocity = {0, -speed},
-             .mass = box_mass,
-             .inertia = box_inertia,
-             .material = {.friction = 0}});
+  scene.add(box);
   return scene;
 }
 
@@ -44,10 +65,15 @@ Snapshot with_box(Snapshot now) {
 
 List<Snapshot> followed(const FeetSettings& settings, Clamp clamp) {
   // Gravity acts before the solve: it lands with `speed`.
-  World world(box_on_feet({-settings.foot, settings.foot}, settings.speed - gravity * time_step));
+  const BodySpec box = box_on_feet({-settings.foot, settings.foot}, settings.speed - gravity * time_step);
+  World landing(on_the_ground(box));
   SequentialImpulse solver({.iterations = settings.sweeps}, {.clamp = clamp});
-  List<Snapshot> motion = {with_box(snapshot(world))};
-  for (int step = 0; step < motion_steps; ++step) {
+  List<Snapshot> motion = {with_box(snapshot(landing))};
+  landing.step(solver);
+  motion.push_back(with_box(snapshot(landing)));
+  const SnapshotBody& landed = motion.back().bodies[{1}];
+  World world(on_the_ground(with_corners(box, landed.pose, landed.velocity)));
+  for (int step = 1; step < motion_steps; ++step) {
     world.step(solver);
     motion.push_back(with_box(snapshot(world)));
   }
@@ -100,7 +126,7 @@ BoxRun box_at(const Pair& foot, const FeetSettings& settings) {
   VelocityProblem<double> twin = problem;
   ProjectedGaussSeidel<double>({.iterations = settings.sweeps}).solve(twin);
   run.of_matrix = {twin.impulse[0], twin.impulse[1]};
-  run.snapshot = with_box(snapshot(box_on_feet(foot, settings.speed)));
+  run.snapshot = with_box(snapshot(on_the_ground(box_on_feet(foot, settings.speed))));
   return run;
 }
 

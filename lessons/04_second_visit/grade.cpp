@@ -102,9 +102,11 @@ void grade_sum(Grade& grade) {
       many.box.velocity);
 }
 
-void grade_ends(Grade& grade) {
+constexpr const char* left_over = "Apply what the clamp has left: the new sum less the old one.";
+
+/// What a foot gives at most.
+void grade_strongest(Grade& grade) {
   const bool gives = landed(1000, 1).left.impulse != 0;
-  const char* const left_over = "Apply what the clamp has left: the new sum less the old one.";
   const Landing weak = landed(12, 1);
   grade.number(
       {.what = "feet of 12 N s at most: impulse of the left foot (N s)",
@@ -127,6 +129,10 @@ void grade_ends(Grade& grade) {
                                    {11.36, "The most is for the sum of all visits, not for each push."}},
                 .tolerance = visit_rounding},
                twice.left.impulse);
+}
+
+/// A foot that has pushed, and does not pull.
+void grade_pulled_up(Grade& grade) {
   Box light{.inverse_mass = 2, .inverse_inertia = 10, .velocity = -3};
   Foot foot{.place = 0, .strongest = 1000};
   visit(foot, light);
@@ -162,7 +168,8 @@ Exercise exercise() {
       .grade = [](Grade& grade) {
         grade_first_visit(grade);
         grade_sum(grade);
-        grade_ends(grade);
+        grade_strongest(grade);
+        grade_pulled_up(grade);
       }};
 }
 

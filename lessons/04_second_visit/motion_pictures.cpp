@@ -51,7 +51,7 @@ void draw_spread(Page& page, const FeetRun& run) {
   Series foot{.style = style_of(page.theme(), Clamped::increment)};
   Series box = foot;
   box.style.marker = Marker::circle;
-  box.style.dash = page.theme().jacobi.dash;
+  box.style.dash = {2, 5};
   Series sum{.style = page.theme().exact, .markers = false};
   for (const Spread& spread : run.spreads) {
     sum.add(spread.foot, 0);

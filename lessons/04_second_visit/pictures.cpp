@@ -166,10 +166,7 @@ List<Shot> visit_shots(const FeetRun& run) {
 
 SeriesStyle style_of(const Theme& theme, Clamped clamped) {
   if (clamped == Clamped::sum) return theme.si;
-  if (clamped == Clamped::afterwards) return theme.box2d;
-  SeriesStyle style = theme.jacobi;
-  style.dash = {};
-  return style;
+  return render::neutral_styles(theme)[clamped == Clamped::increment ? 0 : 1];
 }
 
 Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped, const std::string& name) {

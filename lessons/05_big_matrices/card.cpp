@@ -17,13 +17,12 @@ const LessonCard lesson05(
           "(15)  A = J M⁻¹ Jᵀ,  b = ζ/Δt − J v₁/Δt"},
      .needs = {"lesson 03"},
      .reads = {"src/solvers/system_matrix.hpp", "src/solvers/system_matrix.cpp"},
-     .question =
-         "Three boxes of 1\u00a0kg fall at 0.2\u00a0m/s, because gravity has acted for one step of "
-         "0.02\u00a0s. In the end their contacts carry 30, 20 and 10\u00a0N, from the ground up. "
-         "Aλ\u00a0=\u00a0b "
-         "has one number b\u00a0=\u00a0ζ/Δt\u00a0−\u00a0Jv₁/Δt for each contact, with ζ\u00a0=\u00a00. What "
-         "are "
-         "these numbers, from the ground up, in m/s²?",
+     .question = "Three boxes of 1\u00a0kg fall at 0.2\u00a0m/s, because gravity has acted for one step of "
+                 "0.02\u00a0s. In the end their contacts carry 30, 20 and 10\u00a0N, from the ground up. "
+                 "Of "
+                 "A\u00a0λ\u00a0=\u00a0b, b has a number for each contact: (ζ\u00a0−\u00a0j·v)/Δt, with "
+                 "ζ\u00a0=\u00a00. "
+                 "What are these numbers, from the ground up, in m/s²?",
      .spoilers = {"b₂ and b₃", "10, 0, 0", "do not approach", "Only the lowest box"},
      .wrong = {{{30, 20, 10},
                 {30, 20, 10},

@@ -81,9 +81,11 @@ void print_growth(Lesson& lesson, const StackRun& run) {
   lesson.print();
 }
 
-void check_matrices(Lesson& lesson, const StackRun& run) {
+namespace {
+
+/// J, A and b against rows, formulas and the library.
+void check_entries(Lesson& lesson, const StackRun& run) {
   const StackSystem& system = run.system;
-  const int n = run.boxes();
   // Each is a sum of two products, the same in both; a third for what is not touched.
   lesson.check_small("J v₁ of the matrix = j·v₁ of each row (m/s)",
                      (system.J * system.velocity - run.row_velocity).cwiseAbs().maxCoeff(),
@@ -92,17 +94,21 @@ void check_matrices(Lesson& lesson, const StackRun& run) {
   lesson.check_small("the library's A (kg⁻¹) and b (m/s²): the largest difference", run.library_gap,
                      8 * epsilon * (system.A.cwiseAbs().maxCoeff() + system.b.cwiseAbs().maxCoeff()));
   double gap = 0;
-  double inverse_gap = 0;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
+  for (int i = 0; i < run.boxes(); ++i)
+    for (int j = 0; j < run.boxes(); ++j)
       gap = std::max(gap, std::abs(system.A(i, j) - entry_by_formula(run, i, j)));
-      inverse_gap = std::max(inverse_gap, std::abs(run.inverse(i, j) - mass_above(run, std::max(i, j))));
-    }
-  }
   // Two divisions, a sum.
-  const double largest = system.A.cwiseAbs().maxCoeff();
   lesson.check_small("A: Σ 1/m of a row's boxes, −1/m of the box between two (kg⁻¹)", gap,
-                     4 * epsilon * largest);
+                     4 * epsilon * system.A.cwiseAbs().maxCoeff());
+}
+
+void check_inverse(Lesson& lesson, const StackRun& run) {
+  const StackSystem& system = run.system;
+  const int n = run.boxes();
+  double inverse_gap = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      inverse_gap = std::max(inverse_gap, std::abs(run.inverse(i, j) - mass_above(run, std::max(i, j))));
   const double condition = run.eigenvalues(n - 1) / run.eigenvalues(0);
   // A direct solution is as good as rounding times the condition number, times a few for each row.
   const double solved = 8 * n * epsilon * condition;
@@ -111,6 +117,14 @@ void check_matrices(Lesson& lesson, const StackRun& run) {
   lesson.check_that("A is symmetric and positive definite: least eigenvalue (kg⁻¹)",
                     system.A == system.A.transpose() && run.eigenvalues(0) > 0,
                     fmt::format("{:.4g}", run.eigenvalues(0)));
+}
+
+}  // namespace
+
+void check_matrices(Lesson& lesson, const StackRun& run) {
+  check_entries(lesson, run);
+  check_inverse(lesson, run);
+  const int n = run.boxes();
   double counted = 0;  // of a row of three entries: a factor, two products; and a product and a quotient back
   for (const Growth& growth : run.growth)
     counted = std::max(counted, std::abs(growth.without_zeros - (5.0 * growth.boxes - 4)));

@@ -103,14 +103,14 @@ void draw_without_gravity(Page& page, const StackRun& run) {
 
 void draw_growth(Page& page, const StackRun& run) {
   const List<Rect> parts = in_columns(page, {0.6, 0.4});
-  const Theme& theme = page.theme();
+  const List<SeriesStyle> looks = render::neutral_styles(page.theme());
   Plot plot{.title = "numbers in J and A, products of an elimination"};
   plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 400};
   plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3e7};
-  plot.series = {{.name = "eliminating", .style = {theme.text, {}, Marker::circle}},
-                 {.name = "all of J", .style = theme.si},
-                 {.name = "all of A", .style = theme.jacobi},
-                 {.name = "no zeros", .style = theme.box2d}};
+  plot.series = {{.name = "elimination", .style = looks[0]},
+                 {.name = "numbers in J", .style = looks[1]},
+                 {.name = "numbers in A", .style = looks[2]},
+                 {.name = "without zeros", .style = looks[3]}};
   for (const Growth& growth : run.growth) {
     plot.series[0].add(growth.boxes, growth.elimination);
     plot.series[1].add(growth.boxes, growth.all_of_J);

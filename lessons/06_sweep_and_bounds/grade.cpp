@@ -14,11 +14,8 @@ List<double> swept(const System& system, int sweeps) {
 
 bool is_near(double got, double value) { return std::abs(got - value) <= sweep_rounding; }
 
-/// Boxes of 2, 0.5 and 2 kg on each other, held by rows that push and pull. Whether their sweeps are right.
-bool grade_stack(Grade& grade) {
-  const System stack{
-      .A = {{0.5, -0.5, 0}, {-0.5, 2.5, -2}, {0, -2, 2.5}}, .b = {10, 0, 0}, .rows = List<Row>(3, Row{})};
-  const List<double> one = swept(stack, 1), two = swept(stack, 2);
+/// Boxes of 2, 0.5 and 2 kg on each other, held by rows that push and pull: one sweep, then two.
+void grade_stack(Grade& grade, const List<double>& one, const List<double>& two) {
   // Row 2 has seen nothing of row 1.
   const char* blind = "Row 2 needs the λ_1 of this sweep: the newest λ, not the old ones.";
   if (is_near(two[1], 0)) blind = "The rows before row i count as well: all j but i.";
@@ -54,6 +51,14 @@ bool grade_stack(Grade& grade) {
                           {44, "(28) gives the new λ_i itself: replace the old one."}},
        .tolerance = sweep_rounding},
       two[0]);
+}
+
+/// Joints whose sweeps need every row. Whether they are right.
+bool grade_joints(Grade& grade) {
+  const System stack{
+      .A = {{0.5, -0.5, 0}, {-0.5, 2.5, -2}, {0, -2, 2.5}}, .b = {10, 0, 0}, .rows = List<Row>(3, Row{})};
+  const List<double> one = swept(stack, 1), two = swept(stack, 2);
+  grade_stack(grade, one, two);
   const System star{.A = {{2, 1, 1}, {1, 2, 1}, {1, 1, 2}}, .b = {8, 0, 0}, .rows = List<Row>(3, Row{})};
   const double last = swept(star, 1)[2];
   const char* const neighbours = "Every other row counts, not only the one before and the one after.";
@@ -134,7 +139,7 @@ Exercise exercise() {
                 "A contact and a rope: 0 to infinite, by the signs of j·v; a motor: -strength to strength. "
                 "std::clamp(value, lower, upper)."},
       .grade = [](Grade& grade) {
-        const bool solves = grade_stack(grade);
+        const bool solves = grade_joints(grade);
         grade_kinds(grade);
         grade_rod(grade, solves);
       }};

@@ -149,7 +149,7 @@ Shot update_shot(const SweepRun& run, int k) {
   const int row = update.row;
   const int n = run.settings.boxes;
   const bool last = k + 1 == run.stack.up.updates.size();
-  return {.state = fmt::format("A · sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps,
+  return {.state = fmt::format("the stack · sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps,
                                update.row + 1, n),
           .alt = fmt::format("Stack, A and b, bars of λ: sweep {}, row {} puts its λ to {:.4f} N; exact is "
                              "{:g} N.",
@@ -162,7 +162,7 @@ List<Shot> stack_shots(const SweepRun& run) {
   List<Shot> shots;
   for (int k = 0; k < run.stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
   shots.push_back(key_shot(
-      run, fmt::format("A · {} sweeps", run.settings.sweeps),
+      run, fmt::format("the stack · {} sweeps", run.settings.sweeps),
       "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
       "lines of the same slope.",
       draw_errors));

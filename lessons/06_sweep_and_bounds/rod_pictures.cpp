@@ -197,8 +197,8 @@ std::string answer_text(const RodRun& rod) {
 Shot rod_update_shot(const SweepRun& run, int k, int first_cut) {
   const Swept& swept = run.rod.bounded;
   const RowUpdate<double>& update = swept.updates[k];
-  return {.state =
-              fmt::format("B · sweep {}/{} · row {} of 2", update.sweep, run.settings.sweeps, update.row + 1),
+  return {.state = fmt::format("the rod · sweep {}/{} · row {} of 2", update.sweep, run.settings.sweeps,
+                               update.row + 1),
           .alt = fmt::format("Sweep {}, row {} of the rod: λ is ({:.4g}, {:.4g}) N{}; one more step of the "
                              "zig-zag in the plane.",
                              update.sweep, update.row + 1, swept.after[k][0], swept.after[k][1],
@@ -217,13 +217,13 @@ List<Shot> rod_shots(const SweepRun& run) {
   }
   List<Shot> shots;
   shots.push_back(
-      key_shot(run, "B · without clamp",
+      key_shot(run, "the rod · without clamp",
                "The rod with the pull that A λ = b asks for, and a zig-zag to that answer, through "
                "the hatched part of the plane where λ is negative.",
                draw_unbounded));
   for (int k = 0; k < swept.updates.size(); ++k) shots.push_back(rod_update_shot(run, k, first_cut));
-  shots.push_back(key_shot(run, "B · solved", "λ and w of both supports: one is zero where the other is not.",
-                           draw_complement));
+  shots.push_back(key_shot(run, "the rod · solved",
+                           "λ and w of both supports: one is zero where the other is not.", draw_complement));
   return shots;
 }
 

@@ -20,7 +20,8 @@ const LessonCard lesson07(
                "src/solvers/iterative/sequential_impulse.cpp"},
      .question =
          "PGS and SI solve the same 20 random rows from λ\u00a0=\u00a00, row after row in the same order. "
-         "After "
+         "SI "
+         "looks at the newest velocities at each visit, PGS at none until the end. After "
          "ten sweeps PGS is still off by 69.34\u00a0% of the largest λ. By how many per cent is SI off?",
      .spoilers = {"5.8", "one algorithm"},
      .unasked = {"sweeps"},

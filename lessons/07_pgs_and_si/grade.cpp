@@ -64,8 +64,10 @@ List<double> by_velocities(const Problem& problem, int sweeps) {
 
 constexpr const char* own_row = "Row i has given its η_i as well: it belongs into (26) like all the others.";
 
-void grade_pair(Grade& grade) {
-  const char* const sign = "The sign: (27) has ζ − j·v.";
+constexpr const char* sign = "The sign: (27) has ζ − j·v.";
+
+/// Two bodies: nothing given yet, and then something.
+void grade_given(Grade& grade) {
   const char* const start = "(26) begins with v̄: the bodies moved before the first push.";
   const double first = updated(0, pair(0), {0});
   const double without_own = by_matrix(triple(), 1, eta_of_three, 0, 3) + eta_of_three[1];
@@ -93,6 +95,10 @@ void grade_pair(Grade& grade) {
                                    {0, first < 0 ? sign : start}},
                 .tolerance = update_rounding},
                updated(0, pair(0), {10}));
+}
+
+/// Two bodies that are to part, and two that do already.
+void grade_parting(Grade& grade) {
   grade.number({.what = "with ζ = 0.2 m/s: η (N)",
                 .value = 24,
                 .misconceptions = {{20, "ζ is missing: the row wants j·v = ζ."},
@@ -103,13 +109,14 @@ void grade_pair(Grade& grade) {
   Problem parting = pair(0);
   parting.start_velocity = {0, 1};
   parting.dt = 0.03;
-  grade.number(
-      {.what = "parting at 1 m/s, step of 0.03 s, 10 N given: η (N)",
-       .value = -0.4 / 0.03,
-       .misconceptions = {{0, first > 0 ? "Before any clamp: the update itself may be negative." : ""},
-                          {-20, "The step has 0.03 s here: take problem.dt."}},
-       .tolerance = update_rounding},
-      updated(0, parting, {10}));
+  grade.number({.what = "parting at 1 m/s, step of 0.03 s, 10 N given: η (N)",
+                .value = -0.4 / 0.03,
+                .misconceptions = {{0, updated(0, pair(0), {0}) > 0
+                                           ? "Before any clamp: the update itself may be negative."
+                                           : ""},
+                                   {-20, "The step has 0.03 s here: take problem.dt."}},
+                .tolerance = update_rounding},
+               updated(0, parting, {10}));
 }
 
 void grade_triple(Grade& grade) {
@@ -157,7 +164,8 @@ Exercise exercise() {
                     "v̄_k, and for every row j: inverse mass k times J_jk times η_j Δt. Then j·v of row i.",
                     "new_eta = eta[i] + (zeta_i − j·v) / (sum over k of J_ik² / m_k, times Δt)."},
           .grade = [](Grade& grade) {
-            grade_pair(grade);
+            grade_given(grade);
+            grade_parting(grade);
             grade_triple(grade);
           }};
 }

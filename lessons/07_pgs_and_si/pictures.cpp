@@ -68,7 +68,7 @@ void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
   const bool is_asked = !card().question.empty();
   const List<Rect> parts = in_rows(page, rect, {{0.38, {0.66, 0.34}}, {0.3, {0.66, 0.34}}, 0.32});
   page.equation(parts[0], {.number = "PGS: a row of A, and all other λ",
-                           .symbols = "λ_{i} ← (b_{i} − Σ A_{ij} λ_{j}) / A_{ii}"});
+                           .symbols = "λ_{i} ← (b_{i} − Σ_{j≠i} A_{ij} λ_{j}) / A_{ii}"});
   draw_system(page, parts[1], run, 6);
   page.equation(parts[2], {.number = "SI: two bodies, and an immediate push",
                            .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});

@@ -21,16 +21,19 @@ Begun begun(const List<int>& keys, double dt_now) {
   return result;
 }
 
-void grade_keys(Grade& grade) {
-  const Begun same = begun({7, 4, 9}, 0.02), other = begun({9, 7, 4}, 0.02), changed = begun({5, 4}, 0.02);
-  const double first = same.rows[0].impulse, alone = begun({4}, 0.02).rows[0].impulse;
-  const char* const had = "A row that was there before begins with what it had.";
-  const char* const undone =
-      "A key that does not match says nothing: it must not set the impulse to 0 again.";
-  const bool undoes = first == 0 && same.rows[2].impulse == 1;
+constexpr const char* had = "A row that was there before begins with what it had.";
+constexpr const char* undone =
+    "A key that does not match says nothing: it must not set the impulse to 0 again.";
+
+bool undoes(const Begun& same) { return same.rows[0].impulse == 0 && same.rows[2].impulse == 1; }
+
+/// Rows that are found by their keys, in whatever order.
+void grade_order(Grade& grade) {
+  const Begun same = begun({7, 4, 9}, 0.02), other = begun({9, 7, 4}, 0.02);
+  const double first = same.rows[0].impulse;
   grade.number({.what = "rows 7, 4, 9 as before: impulse of row 7 (N s)",
                 .value = 3,
-                .misconceptions = {{0, undoes ? undone : had},
+                .misconceptions = {{0, undoes(same) ? undone : had},
                                    {0.06, "What is kept is an impulse already: no further dt."}},
                 .tolerance = begin_rounding},
                first);
@@ -41,6 +44,12 @@ void grade_keys(Grade& grade) {
                           {0, first == 0 ? had : "Row 9 is the last of `kept`: look at all of them."}},
        .tolerance = begin_rounding},
       other.rows[0].impulse);
+}
+
+/// Rows that come, and rows that go.
+void grade_change(Grade& grade) {
+  const Begun same = begun({7, 4, 9}, 0.02), changed = begun({5, 4}, 0.02);
+  const double alone = begun({4}, 0.02).rows[0].impulse;
   grade.number({.what = "row 5 is new: its impulse (N s)",
                 .value = 0,
                 .misconceptions = {{3, "That belongs to row 7: a new row begins with 0."},
@@ -51,8 +60,8 @@ void grade_keys(Grade& grade) {
   grade.number({.what = "row 4 after it: its impulse (N s)",
                 .value = 2,
                 .misconceptions = {{0, alone == 2 ? "A new row must not end the loop: row 4 was there before."
-                                       : undoes   ? undone
-                                                  : had}},
+                                       : undoes(same) ? undone
+                                                      : had}},
                 .tolerance = begin_rounding},
                changed.rows[1].impulse);
   Begun again = changed;
@@ -148,7 +157,8 @@ Exercise exercise() {
                 "impulse acts on both bodies.",
                 "impulse dt_now / dt_before; velocity -= 1/m impulse below, += 1/m impulse above."},
       .grade = [](Grade& grade) {
-        grade_keys(grade);
+        grade_order(grade);
+        grade_change(grade);
         grade_bodies(grade);
         grade_steps(grade);
       }};

@@ -220,7 +220,7 @@ std::string answer_text(const WarmStart& all) {
 
 FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
   const List<SeriesStyle> neutral = render::neutral_styles(theme);
-  return {{neutral[1], theme.si, neutral[2]}};  // all are SI: the warm one is what is meant by it
+  return {{neutral[1], theme.si, neutral[3]}};  // all are SI: the warm one is what is meant by it
 }
 
 List<Shot> start_shots(const WarmStart& all) {

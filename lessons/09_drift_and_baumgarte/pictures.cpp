@@ -67,6 +67,14 @@ Equation equation_of(const Page& page, const DriftRuns& all, int step) {
   const BallRun& run = ball_of(all, 1);
   const double free = run.speed[step - 1] - gravity * all.settings.dt;
   const double wanted = (run.zeta[step] - free) / all.settings.dt;
+  const double above = run.height[step - 1];
+  if (above > 1e-9)
+    return {.number = "β = 1, in the air",
+            .symbols = "ζ = −c/Δt",
+            .numbers = fmt::format("= −{}/{:.4g} = {} m/s", fixed(above, 3), all.settings.dt,
+                                   fixed(run.zeta[step], 1)),
+            .result = "λ = 0: it does not fall that fast",
+            .color = page.theme().normal};
   const char* const clamped = wanted < -1e-9 ? ", clamped to 0: it cannot pull" : "";
   return {.number = "eq (22), β = 1",
           .symbols = "λ = (ζ − j·v) / (j M⁻¹ j^{T} Δt)",
@@ -247,10 +255,12 @@ std::string beta_name(double beta) { return fmt::format("β = {:g}", beta); }
 
 SeriesStyle beta_style(const Theme& theme, double beta) {
   if (beta == 0) return {.color = theme.text};
-  if (beta == 0.1) return {.color = theme.si.color};
-  if (beta == 0.5) return {.color = theme.jacobi.color, .dash = {2, 5}};
-  if (beta == 1) return {.color = theme.box2d.color, .dash = {10, 5, 2, 5}};
-  return {.color = theme.pgs.color, .dash = {10, 6}};  // the reader's
+  if (beta == 0.1) return {.color = theme.secondary_text, .dash = {14, 6}};
+  if (beta == 0.5) return {.color = theme.text, .dash = {2, 5}};
+  if (beta == 1) return {.color = theme.secondary_text, .dash = {10, 5, 2, 5}};
+  if (beta == 1.8) return {.color = theme.secondary_text, .dash = {4, 4}};
+  if (beta == 2.1) return {.color = theme.text, .dash = {16, 4}};
+  return {.color = theme.text, .dash = {10, 6}};  // the reader's
 }
 
 List<Shot> drift_shots(const DriftRuns& all) {

@@ -12,7 +12,7 @@ const LessonCard lesson13(
      .paper = "paper 4.3, with eq (7), (15), (22)",
      .equations = {"4.3   j·v + γ λ Δt = ζ = −β c / Δt               (11) of a row that gives way",
                    "      γ = 1 / (Δt (d + Δt k)),  β = Δt k / (d + Δt k)",
-                   "(15)  (A + γ) λ = b                               PGS: γ on the diagonal of A",
+                   "(15)  A λ = b                                     PGS: with γ added on the diagonal of A",
                    "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
      .needs = {"lesson 03", "lesson 09"},
      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},

@@ -87,7 +87,7 @@ void draw_matrices(Page& page, const SoftRuns& all) {
       "leaves less of the error.");
   const ColumnRun& soft = all.soft_column;
   page.equation(parts[4], {.number = "eq (15), PGS",
-                           .symbols = "(A + γ) λ = b",
+                           .symbols = "A λ = b,   with A_{ii} + γ",
                            .numbers = fmt::format("row 1: ({:.3g} + {:.3g}) λ_{{1}} − λ_{{2}} = b_{{1}}",
                                                   all.rigid_column.A(0, 0), soft.gamma),
                            .result = fmt::format("A_{{11}} + γ = {:.4g} 1/kg", soft.A(0, 0)),

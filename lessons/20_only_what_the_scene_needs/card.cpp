@@ -26,7 +26,10 @@ const LessonCard lesson20(
                 {100},
                 "The tower keeps only itself waiting now: the pyramid, with most of the rows, "
                 "ends much sooner."},
-               {{0}, {25}, "The tower still takes nearly all of its sweeps."}},
+               {{50},
+                {84.9},
+                "Only the tower takes nearly all of its sweeps, and it has 40 of the 150 rows."},
+               {{0}, {33}, "The tower still takes nearly all of its sweeps, and the others take some."}},
      .hints = {"If a step ends for all together, which of the three does everybody wait for?",
                "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
                "Add rows × sweeps of the three, and divide by 150 × 50."},

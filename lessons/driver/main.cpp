@@ -32,7 +32,7 @@ constexpr const char* help_text = R"(lessons - how constraint solvers work, one 
   bash lessons/run check --all the checks of every lesson, without the exercises
   bash lessons/run book        every lesson as a page for the browser, in out/book/
   bash lessons/run export 3    its pictures for documents, with alt texts; export --help has the flags
-  bash lessons/run new NAME    a folder for a lesson of your own, which works at once: lessons/WRITING.md
+  bash lessons/run new NAME    a folder for a lesson of your own, that already works: lessons/WRITING.md
   bash lessons/run playground  the core in a browser: one page, in out/playground/; installs emscripten
   bash lessons/run release     playground and book, tested, as they are published: out/release/
   bash lessons/run cairn       the program for scenes of your own: cairn run FILE.toml

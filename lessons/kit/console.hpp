@@ -51,7 +51,7 @@ class Console {
   std::string colored(std::string_view text, Color color) const;
   /// The text as --plain wants it, and without what could command the terminal: see printable().
   std::string spelt(std::string_view text) const;
-  /// A question to the reader: no line end, and shown at once.
+  /// A question to the reader: no line end, and shown immediately.
   void ask(std::string_view question);
   /// A warning or an error: one line on stderr.
   void warn(std::string_view line);

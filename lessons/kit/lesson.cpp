@@ -189,7 +189,7 @@ void Lesson::answer(const List<double>& right, double tolerance, std::string_vie
   const bool is_asked = !state_->info.question.empty();
   if (options.answer) state_->guess = options.answer;
   if (is_asked) state_->record.answer = {right, tolerance, std::string(explanation)};
-  const std::string told = numbers_text(right) + "   " + std::string(explanation);
+  const std::string told = numbers_text(right) + ". " + std::string(explanation);
   Console& console = state_->console;
   const int width = page_width(console);
   if (!state_->guess) return is_asked ? print(wrapped("ANSWER   " + told, width, 9)) : void();

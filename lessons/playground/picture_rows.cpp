@@ -7,8 +7,8 @@
 #include <cairn/constraints/contact_rows.hpp>
 #include <cairn/math/list.hpp>
 #include "lessons/playground/picture.hpp"
-#include "lessons/playground/solver_look.hpp"
 #include "render/plot.hpp"
+#include "render/solver_style.hpp"
 #include <cairn/solvers/residual.hpp>
 
 namespace cairn::playground {
@@ -139,7 +139,7 @@ void Picture::draw_residuals(const Playground& playground, const Rect& rect) {
                     .y = {.title = "R_{E}", .scale = render::AxisScale::logarithmic}};
   for (int k = 0; k < playground.bench_count(); ++k) {
     const std::string solver = k == 0 ? playground.controls().setting.solver : *playground.controls().other;
-    render::Series series{.name = solver, .style = look_of(theme, solver)};
+    render::Series series{.name = solver, .style = render::style_of_solver(theme, solver)};
     const List<double>& residuals = playground.look(k).residuals;
     for (int sweep = 0; sweep < residuals.size(); ++sweep) {
       series.x.push_back(sweep);

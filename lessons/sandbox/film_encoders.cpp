@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What waitpid() says of it. An interrupt ends it at once: all that it has written is thrown away.
+/// What waitpid() says of it. An interrupt kills it: all that it has written is thrown away.
 int status_at_end(pid_t child) {
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {

@@ -30,18 +30,21 @@ std::string wish_line(const RecommendRun& run) {
   return text.substr(2);
 }
 
-std::string finding_line(const RecommendFinding& found) {
-  std::string line =
-      fmt::format("    {:<40} {:>10.3g} {:>10.3g} {:>10.3g} {:>8.3g} {:>9.3g} {:>11.3g}", found.run,
-                  1e3 * found.penetration, 1e3 * found.drift, 100 * found.energy_gain, found.stands_until,
-                  1e3 * found.cost, found.row_updates);
-  return found.missed.empty() ? line : line + "  misses: " + found.missed;
-}
-
+/// A table of its own below who it is about, and then what was missed.
 void print_candidate(const std::string& who, const RecommendCandidate& candidate, Color color,
                      Console& console) {
   console.result(console.colored(console.spelt("  " + who + candidate.setting), color));
-  for (const RecommendFinding& found : candidate.findings) console.result(console.spelt(finding_line(found)));
+  std::string table = fmt::format("    {:<38}  {:>10}  {:>8}  {:>6}  {:>8}  {:>8}  {:>9}", "run",
+                                  "overlap mm", "drift mm", "gain %", "stands s", "ms per s", "updates/s");
+  std::string missed;
+  for (const RecommendFinding& found : candidate.findings) {
+    table += fmt::format("\n    {:<38}  {:>10.3g}  {:>8.3g}  {:>6.3g}  {:>8.3g}  {:>8.3g}  {:>9.3g}",
+                         found.run, 1e3 * found.penetration, 1e3 * found.drift, 100 * found.energy_gain,
+                         found.stands_until, 1e3 * found.cost, found.row_updates);
+    if (!found.missed.empty()) missed += fmt::format("\n    {} misses: {}", found.run, found.missed);
+  }
+  console.result(console.spelt(table));
+  if (!missed.empty()) console.result(console.spelt(missed.substr(1)));
 }
 
 /// The flags of a setting that is still one of those that are tried.
@@ -68,8 +71,6 @@ void print_kind(const Recommendation& of_kind, Console& console) {
   if (best.empty()) {
     console.result(console.colored("  Nothing that was tried meets all of its runs.", Color::bad));
   } else {
-    console.result(fmt::format("    {:<40} {:>10} {:>10} {:>10} {:>8} {:>9} {:>11}", "run", "overlap mm",
-                               "drift mm", "gain %", "stands s", "ms per s", "updates / s"));
     print_candidate("recommended: ", best.front(), Color::good, console);
     print_flags(best.front().setting, console);
   }

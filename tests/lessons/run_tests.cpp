@@ -93,7 +93,7 @@ TEST_CASE(
   std::size_t at = 0;
   for (const char* part :
        {"Lesson 42  Made up ", "paper 1, eq (1)", "Idea: A lesson", "λ = 1/60", "PREDICT  What is six",
-        "a step", "ANSWER   42.00   By counting.", "CHECK  it is ..", "42        ok\n",
+        "a step", "ANSWER   42.00. By counting.", "CHECK  it is ..", "42        ok\n",
         "Again: bash lessons/run 42 --dt 0.016666666666666666 --steps 3 --precision double     state ",
         "Next:  lesson43_none"}) {
     const std::size_t found = ran.out.find(part, at);
@@ -155,8 +155,8 @@ TEST_CASE("a wrong guess that is known is told why it is wrong, and any other wh
   const Ran sum = run_in_child(lesson, {"--answer", "13.2"}),
             other = run_in_child(lesson, {"--answer", "15"});
   CHECK(sum.code == 1);
-  CHECK(says(sum.out, "NOT YET  you said 13.20. That is the sum. It is 42.00   By counting."));
-  CHECK(says(other.out, "NOT YET  you said 15.00; it is 42.00   By counting."));
+  CHECK(says(sum.out, "NOT YET  you said 13.20. That is the sum. It is 42.00. By counting."));
+  CHECK(says(other.out, "NOT YET  you said 15.00; it is 42.00. By counting."));
 }
 
 TEST_CASE("with --predict, nothing of idea and equations stands before the question") {

@@ -42,6 +42,24 @@ bool is_no_number(const std::string& text) { return text.find_first_of("01234567
 
 }  // namespace
 
+TEST_CASE("the rows of a recommendation stand below heads of their own, in every window") {
+  for (const char* columns : {"100", "80", "60"}) {
+    CAPTURE(columns);
+    std::istringstream lines(printed({"recommend"}, columns));
+    int heads = 0;
+    std::set<std::string> missed;
+    for (std::string line, next; std::getline(lines, line);) {
+      if (line.find(" misses: ") != std::string::npos) CHECK(missed.insert(line).second);
+      if (line.find("  run ") != 0 && line.find("    run ") != 0) continue;
+      ++heads;
+      REQUIRE(std::getline(lines, next));
+      CAPTURE(next);
+      CHECK(line.size() == next.size());  // both end with a number, at the right
+    }
+    CHECK(heads > 10);
+  }
+}
+
 TEST_CASE("what every verb prints fits a window of 80 and of 60 columns, with whole words") {
   const ScratchFolder scratch;
   const std::string scene = scratch.path() + "/own.toml";

@@ -1,4 +1,4 @@
-// Which bars stand beside a scene, what they add up, and how solvers and contacts look.
+// Which bars stand beside a scene, what they add up, and how contacts and curves look.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <cairn/scenes/solver_list.hpp>
 #include "lessons/playground/bar_lines.hpp"
 #include "lessons/playground/picture.hpp"
-#include "lessons/playground/solver_look.hpp"
 #include "render/image.hpp"
+#include "render/solver_style.hpp"
 
 namespace {
 
@@ -93,21 +93,6 @@ TEST_CASE("what is nothing but rounding is 0") {
   CHECK(sum_of({.name = "", .rows = {2}}, impulse) == 0);
 }
 
-TEST_CASE("a solver looks the same wherever it stands, and as the legend says") {
-  const render::Theme theme = render::light_theme();
-  const auto mark = [&](const std::string& solver) { return look_of(theme, solver).marker; };
-  CHECK(mark("pgs") == render::Marker::circle);
-  CHECK(mark("pgs-sparse") == render::Marker::circle);
-  CHECK(mark("si") == render::Marker::square);
-  CHECK(mark("block") == render::Marker::square);
-  CHECK(mark("box2d") == render::Marker::triangle);
-  for (const char* name : {"jacobi", "jacobi-damped", "jacobi-split"})
-    CHECK(mark(name) == render::Marker::diamond);
-  CHECK(mark("newton") == render::Marker::tick);
-  CHECK(mark("reference") == render::Marker::tick);
-  CHECK(look_of(theme, "si").dash == theme.si.dash);
-}
-
 TEST_CASE("the second solver's curve is in its own colour") {
   Picture picture;
   const render::Theme theme = render::light_theme();
@@ -121,7 +106,7 @@ TEST_CASE("the second solver's curve is in its own colour") {
     for (const std::string solver : {"pgs", "jacobi", "si"}) {
       const bool is_there = solver == first || solver == second;
       CAPTURE(solver);
-      CHECK((pixels_of(image, look_of(theme, solver).color) > 100) == is_there);
+      CHECK((pixels_of(image, render::style_of_solver(theme, solver).color) > 100) == is_there);
     }
   }
 }

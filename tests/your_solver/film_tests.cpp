@@ -69,6 +69,12 @@ TEST_CASE("a wrong solver moves wrongly in its film, and the model does not") {
   write_file(folder / "my_solver.cpp",
              replaced(model_of(2), "return inverse > 0 ? 1 / inverse : 0", "return 0 / 0.0"));
   CHECK(film(folder, 2).out.find("one flies away") != std::string::npos);
+  // Each push clamped: this box hops and falls, and the model's stands on both feet.
+  write_file(folder / "my_solver.cpp",
+             replaced(model_of(4), "std::clamp(before + correction(row, bodies), row.lower, row.upper)",
+                      "before + std::clamp(correction(row, bodies), row.lower, row.upper)"));
+  const Ended clamped = film(folder, 4);
+  CHECK_MESSAGE(clamped.out.find(" m away") != std::string::npos, clamped.out);
 }
 
 TEST_CASE("names of the reader's are no names of the film's scenes") {

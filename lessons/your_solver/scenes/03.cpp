@@ -12,20 +12,23 @@ static void aim(std::vector<Row>& rows, double dt) {
 /// The ends of a box's legs [m], in its own frame.
 static const std::array<std::array<double, 2>, 2> feet = {{{-0.25, -0.75}, {0.25, -0.75}}};
 
-/// The ground, and a box above it that is a little turned.
+/// The ground, and a box above it: turned so little that soon both feet are down together.
 static std::vector<Body> footed_box() {
   std::vector<Body> bodies = {make_box(6, 0.5, 0, 0, -0.25), make_box(1, 1, 6, 0, 1.6)};
-  bodies[1].position[2] = 0.1;
+  bodies[1].position[2] = 0.02;
   return bodies;
 }
 
-/// A row for each foot that touches the ground.
+/// A row for each foot that touches the ground, and behind them for each corner, should the box fall.
 static std::vector<Row> foot_rows(const std::vector<Body>& bodies) {
   std::vector<Row> rows;
-  for (const auto& foot : feet) {
-    const auto at = in_the_world(bodies[1], foot[0], foot[1]);
+  const auto touch = [&](double x, double y) {
+    const auto at = in_the_world(bodies[1], x, y);
     if (at[1] < 0.001) rows.push_back(contact(bodies, 0, 1, {at[0], at[1]}, {0, 1}, at[1]));
-  }
+  };
+  for (const auto& foot : feet) touch(foot[0], foot[1]);
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) touch(x, y);
   aim(rows, 0.02);
   return rows;
 }

@@ -21,6 +21,7 @@ static void grade_box(cairn::Grade& grade) {
                  {mass * turning, "I grows with the mass: I = m (w² + h²)/12."},
                  {turning / 2, "The divisor is 12: I is m (w² + h²)/12."},
                  {turning / 12, "The 12 is missing: I = m (w² + h²)/12."},
+                 {turning / 4, "That is the 3 of half widths: with whole ones I = m (w² + h²)/12."},
                  {1 / mass, "The third number is 1/I, not 1/m."}}},
                box.inverse_mass[2]);
   const double infinite = 1.0 / 0.0;

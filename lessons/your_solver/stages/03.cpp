@@ -12,13 +12,15 @@ static void grade_contact(cairn::Grade& grade) {
                 1,
                 {{-1, "The sign: the normal leads from body a to body b, and c grows that way."}}},
                row.j_b[1]);
-  grade.number({"the contact: j_b[2] (m)",
-                0.5,
-                {{0.75, "The arm begins at the body's centre: subtract it from the point."},
-                 {-2.25, "The arms are swapped: r_b leads to the point from body b."},
-                 {-0.5, "r × n is r_x n_y − r_y n_x: the order is reversed."},
-                 {0, "A push beside the centre turns the box: r × n."}}},
-               row.j_b[2]);
+  grade.number(
+      {"the contact: j_b[2] (m)",
+       0.5,
+       {{0.75, "The arm begins at the body's centre: subtract it from the point."},
+        {-2.25, "The arms are swapped: r_b leads to the point from body b."},
+        {-0.5, row.j_a[2] == 2.25 ? "The arm of body b leads from its centre to the point."
+                                  : "r × n is r_x n_y − r_y n_x: the order is reversed, or the arm."},
+        {0, "A push beside the centre turns the box: r × n."}}},
+      row.j_b[2]);
   grade.number({"the contact: j_a[2] (m)",
                 2.25,
                 {{-2.25, "The sign: all of j_a has a minus."},

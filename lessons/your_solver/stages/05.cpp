@@ -157,6 +157,7 @@ static void grade_b(cairn::Grade& grade, const System& system) {
                  {(ground_rate - 0.3) / dt, "The sign: b = (ζ − J v)/Δt."},
                  {-ground_rate / dt, "ζ is missing: b = (ζ − J v)/Δt."},
                  {(-0.3 - ground_rate) / dt, "The sign of ζ: b = (ζ − J v)/Δt."},
+                 {(0.3 + ground_rate) / dt, "The sign of j·v: b = (ζ − J v)/Δt."},
                  {0.3 - ground_rate / dt, "Both parts are divided by Δt."}}},
                system.b[0]);
   grade.number({"b[2], with a bias of −0.3 m/s (m/s²)",

@@ -144,7 +144,9 @@ static void grade_loads(cairn::Grade& grade, const std::string& name, const std:
     grade.number({name + "load after frame " + std::to_string(wanted) + " (N)",
                   load_at(settings, wanted),
                   {{load_at(ten, wanted), "world.sweeps says how many sweeps there are."},
-                   {load_at(late, wanted), "Gravity comes before the sweeps, or they do not see it."},
+                   {load_at(late, wanted), world.rows.empty()
+                                               ? "A step leaves its rows in world.rows."
+                                               : "Gravity comes before the sweeps, or they do not see it."},
                    {load_at(one_sweep, wanted), "world.sweeps sweeps in each step, not one."},
                    {load_at(cold, wanted),
                     "Every step begins cold: world.rows has to keep the rows of the last step."},

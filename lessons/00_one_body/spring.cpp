@@ -1,0 +1,163 @@
+// Lesson 00. The box on a spring: the two lines in either order, and what that makes of its swing.
+#include <cmath>
+#include <numbers>
+
+#include "lesson.hpp"
+
+namespace cairn::one_body {
+
+namespace {
+
+constexpr double frequency = 2;                             // [1/s]
+constexpr double omega = 2 * std::numbers::pi * frequency;  // [rad/s]
+
+/// A box on a spring, moved by hand: x [m] and v [m/s].
+struct Swinging {
+  double x = 1;
+  double v = 0;
+};
+
+void note(Swing& swing, const Swinging& box) {
+  swing.x.push_back(box.x);
+  swing.v.push_back(box.v);
+}
+
+Series series_of(const Swing& swing, const std::string& name, const SeriesStyle& style, double dt) {
+  Series series{.name = name, .style = style};
+  for (int k = 0; k < swing.x.size(); ++k) series.add(k * dt, swing.x[k]);
+  return series;
+}
+
+/// Position against velocity, for a first swing of so many steps.
+Series loop_of(const Swing& swing, const std::string& name, const SeriesStyle& style, int steps) {
+  Series series{.name = name, .style = style};
+  for (int k = 0; k <= std::min(steps, swing.x.size() - 1); ++k) series.add(swing.x[k], swing.v[k] / omega);
+  return series;
+}
+
+/// The spring from the wall to the box.
+void draw_coil(Page& page, const Camera& camera, double from, double to) {
+  List<Point> points = {camera.project({from, 0}), camera.project({from + 0.15, 0})};
+  const int turns = 12;
+  const double pitch = (to - from - 0.3) / turns;
+  for (int i = 0; i < turns; ++i)
+    points.push_back(camera.project({from + 0.15 + pitch * (i + 0.5), i % 2 == 0 ? 0.16 : -0.16}));
+  points.push_back(camera.project({to - 0.15, 0}));
+  points.push_back(camera.project({to, 0}));
+  page.canvas().polyline(points, {.width = page.sizes().curve, .color = page.theme().text});
+}
+
+}  // namespace
+
+Springs swing(double dt) {
+  Springs springs{.dt = dt};
+  const int steps = static_cast<int>(std::lround(swing_seconds / dt));
+  Swinging old_first, new_first;
+  note(springs.explicit_euler, old_first);
+  note(springs.semi_implicit, new_first);
+  for (int step = 0; step < steps; ++step) {
+    // [spring]
+    const double pull = -omega * omega * old_first.x;  // [m/s^2]
+    old_first.x += old_first.v * dt;                   // first the position, with the old velocity
+    old_first.v += pull * dt;
+
+    new_first.v += -omega * omega * new_first.x * dt;  // first the velocity
+    new_first.x += new_first.v * dt;
+    // [/spring]
+    note(springs.explicit_euler, old_first);
+    note(springs.semi_implicit, new_first);
+  }
+  return springs;
+}
+
+double swing_at_end(const Swing& swing) { return std::hypot(swing.x.back(), swing.v.back() / omega); }
+
+void tell_springs(Lesson& lesson, const Springs& springs) {
+  lesson.print("on a spring, twice a second, from x = 1 m at rest:");
+  lesson.print("    t (s)   position first (m)   velocity first (m)   exact (m)");
+  const int steps = springs.semi_implicit.x.size() - 1;
+  for (int quarter = 0; quarter <= 4; ++quarter) {
+    const int k = quarter * steps / 4;
+    lesson.print(fmt::format("{:>9} {:>20} {:>20} {:>11}", fixed(k * springs.dt, 2),
+                             fixed(springs.explicit_euler.x[k], 3), fixed(springs.semi_implicit.x[k], 3),
+                             fixed(std::cos(omega * k * springs.dt), 3)));
+  }
+}
+
+void check_springs(Lesson& lesson, const Springs& springs) {
+  const double h = omega * springs.dt;
+  const int steps = springs.semi_implicit.x.size() - 1;
+  const double grown = std::pow(1 + h * h, steps / 2.0);
+  // Each step rounds four sums and products.
+  lesson.check_equal("position first: each step multiplies the swing by √(1 + (4π Δt)²); at the end (m)",
+                     swing_at_end(springs.explicit_euler), grown, 4 * steps * epsilon * grown);
+  double worst = 0, largest = 1;
+  for (int k = 0; k <= steps; ++k) {
+    const double x = springs.semi_implicit.x[k], u = springs.semi_implicit.v[k] / omega;
+    worst = std::max(worst, std::abs(x * x + u * u - h * x * u - 1));
+    largest = std::max(largest, x * x + u * u);
+  }
+  lesson.check_small("velocity first: x² + u² − 4π Δt x u stays 1, with u = v/4π (m²)", worst,
+                     16 * steps * epsilon * largest);
+}
+
+void draw_spring_question(Page& page, const Rect& rect) {
+  const Camera camera = fit(rect, {{-3.4, -1.3}, {2.2, 1.6}});
+  Scene scene({.gravity = {0, 0}});
+  scene.add({.shapes = {box(1, 1)}, .position = {1, 0}, .mass = 1});
+  draw_coil(page, camera, -3, 0.5);
+  const Stroke wall{.width = 2 * page.sizes().outline, .color = page.theme().text};
+  page.canvas().line(camera.project({-3, -0.7}), camera.project({-3, 0.7}), wall);
+  page.canvas().line(camera.project({-3, -0.52}), camera.project({2.1, -0.52}),
+                     {.width = page.sizes().axis, .color = page.theme().secondary_text});
+  draw_world(page, camera, snapshot(World<double>(std::move(scene))), {.names = {"", "1 kg"}});
+  const Stroke thin{.width = page.sizes().axis, .color = page.theme().text};
+  const TextStyle text = aligned(page.value(), Align::center);
+  const Point up(0, -0.9 * camera.scale), down(0, 0.95 * camera.scale);
+  const Point left = camera.project({-1, 0}), middle = camera.project({0, 0}), right = camera.project({1, 0});
+  for (const auto& [from, to] : {std::pair{left, middle}, std::pair{middle, right}}) {
+    draw_length(page, from + up, to + up, thin);
+    page.canvas().text(0.5 * (from + to) + up - Point(0, 8), "1 m", text);
+  }
+  page.canvas().text(middle + down, "after 2 s: ? m to each side", text);
+}
+
+void draw_swings(Page& page, const Rect& rect, const Springs& springs) {
+  const double most = 1.1 * swing_at_end(springs.explicit_euler);
+  Plot plot{.title = "where the box is on its spring (m)"};
+  plot.x = {.title = "t (s)", .min = 0, .max = swing_seconds};
+  plot.y = {.min = -most, .max = most};
+  plot.series = {series_of(springs.explicit_euler, "position first", explicit_style(page), springs.dt),
+                 series_of(springs.semi_implicit, "velocity first", semi_implicit_style(page), springs.dt)};
+  draw_plot(page, rect, plot);
+}
+
+void draw_loops(Page& page, const Springs& springs) {
+  const List<Rect> parts = in_columns(page, {0.6, 0.4});
+  const int turn = static_cast<int>(std::lround(1 / frequency / springs.dt));
+  Plot plot{.title = "the first swing: v / 4π (m) against x (m)"};
+  Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
+  for (int i = 0; i <= 96; ++i)
+    exact.add(std::cos(i * std::numbers::pi / 48), -std::sin(i * std::numbers::pi / 48));
+  plot.series = {loop_of(springs.explicit_euler, "position first", explicit_style(page), turn),
+                 loop_of(springs.semi_implicit, "velocity first", semi_implicit_style(page), turn), exact};
+  double most = 1.2;
+  for (const double x : plot.series[0].x) most = std::max(most, 1.1 * std::abs(x));
+  for (const double y : plot.series[0].y) most = std::max(most, 1.1 * std::abs(y));
+  plot.x = {.title = "x (m)", .min = -most, .max = most};
+  plot.y = {.min = -most, .max = most};
+  draw_plot(page, parts[0], plot);
+  const double h = omega * springs.dt;
+  const Rect rest = page.card(parts[1], "around, or out",
+                              "The exact swing runs round the circle. A step that moves first goes straight "
+                              "on along the tangent, and so ends further out, each time by the same factor. "
+                              "With the velocity first the box stays on an ellipse close to the circle.");
+  page.equation(rest, {.number = "position first, one step",
+                       .symbols = "√(1 + (4π Δt)²)",
+                       .numbers = fmt::format("= √(1 + {}²)", fixed(h, 4)),
+                       .result = fmt::format("= {}", fixed(std::sqrt(1 + h * h), 4)),
+                       .algorithm = fmt::format("in {} steps: {} times", springs.semi_implicit.x.size() - 1,
+                                                fixed(swing_at_end(springs.explicit_euler), 1))});
+}
+
+}  // namespace cairn::one_body
