@@ -276,7 +276,7 @@ int report_trade(const Words& words, const TradeStudy& trade, const std::string&
   }
   console.narrate("written: " + written);
   if (!is_drawn) {
-    console.warn("no chart: no setting came to a number of " + trade.error_name +
+    console.warn("no chart: no run has ended with a value for --error " + trade.error_name +
                  (trade.error == "E_M" ? ", as the true velocity is not known to be unique" : ""));
   }
   return is_drawn ? all_well : check_failed;
