@@ -262,9 +262,9 @@ TEST_CASE("a halo keeps the ground around the glyphs clear") {
   style.halo = {1, 1, 1, 1};
   Canvas canvas(200, 100);
   canvas.clear({0, 0, 0, 1});
-  canvas.text({100, 50}, "l", style);
+  canvas.text({100, 50}, "I", style);
   const Image image = canvas.read();
-  const InkBounds letter = ink_of(written_picture("l"));
+  const InkBounds letter = ink_of(written_picture("I"));
   const auto brightness = [&](int x, int y) { return image.pixels[3 * (y * 200 + x)]; };
   CHECK(brightness(letter.left - 1, 45) > 240);
   CHECK(brightness(letter.right + 1, 45) > 240);
