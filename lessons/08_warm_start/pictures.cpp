@@ -121,28 +121,27 @@ void draw_step(Page& page, const WarmStart& all, int frame) {
   draw_load_plot(page, parts[1], all, frame);
 }
 
-/// A tower of the question: its bars are what its contacts begin a step with.
+/// A tower of the question: the cold one as its last step leaves it, the warm one before the first.
 void draw_asked(Page& page, const Rect& rect, const WarmStart& all, bool is_warm) {
   const double boxes = all.settings.boxes, sunk = -risen(all.many_cold, question_steps);
   const SeriesStyle style = start_styles(page.theme())[is_warm ? 1 : 0];
   const Rect view =
       draw_solver_panel(page, rect, style, is_warm ? "warm, ? sweeps" : all.many_cold.name,
                         fmt::format("{}−{:.0f} mm{}", is_warm ? "above " : "top ", sunk, is_warm ? "?" : ""));
-  List<double> kept(all.settings.boxes, 0.0);
-  for (int i = 0; i < kept.size() && is_warm; ++i) kept[i] = (boxes - i) * gravity;
-  const Snapshot& tower = is_warm ? all.few_warm.frames.front() : all.many_cold.frames[question_steps];
+  const StartRun& run = is_warm ? all.few_warm : all.many_cold;
+  const int frame = is_warm ? 0 : question_steps;
   const Camera camera =
-      draw_tower_loads(page, view, tower, kept,
+      draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
                        {.box_weight = gravity, .largest = 1.2 * all.settings.weight(), .color = style.color});
   draw_start_line(page, camera, boxes);
   const double mark = boxes - 0.001 * sunk;
   page.canvas().line(camera.project({-1.1, mark}), camera.project({-0.6, mark}),
                      {.width = page.sizes().curve, .color = page.theme().normal});
   const List<std::string> lines =
-      is_warm ? List<std::string>{"each step begins", "with the last", "one's impulses"}
-              : List<std::string>{"each step begins", "from zero", "tick: to carry"};
+      is_warm ? List<std::string>{"step 1: from zero,", "then from the last", "one's impulses"}
+              : List<std::string>{"each step begins", "from zero", "bar: load", "tick: to carry"};
   for (int i = 0; i < lines.size(); ++i) {
-    const TextStyle text = aligned(!is_warm && i == 2 ? page.secondary() : page.value(), Align::right);
+    const TextStyle text = aligned(!is_warm && i >= 2 ? page.secondary() : page.value(), Align::right);
     page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
   }
 }

@@ -187,7 +187,7 @@ void draw_lengths(Page& page, const Camera& camera, const DriftRuns& all, const 
   page.canvas().polyline(way, {.width = page.sizes().outline, .color = page.theme().text, .dash = {8, 6}});
   style.size = 20;
   page.canvas().text(camera.project({x + 0.15, top - 0.3}), "? m", style);
-  const double between = 0.5 * ball_pitch;
+  const double between = x - 0.5 * ball_pitch;  // beside the ball of the question
   draw_length(page, camera.project({between, 0}), camera.project({between, -depth}), stroke);
   style.align = Align::center;
   style.halo = page.theme().static_body;

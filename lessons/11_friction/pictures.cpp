@@ -9,27 +9,35 @@ render::Bar named_bar(const std::string& name, double before, double added) {
   return {.name = name + " " + fixed(before + added, 2), .before = before, .added = added};
 }
 
-/// What holding would need, what the law allows, and what the row gives.
+/// What the law allows each corner, and what its row gives.
 BarChart force_bars(const Page& page, const Study& study, const Slide& slide) {
-  const Coulomb law = coulomb(slide.slope, slide.block);
-  return {.title = "along the slope, both corners (N)",
-          .bars = {named_bar("needed", law.needed, 0), named_bar("limit", law.limit, 0),
-                   named_bar("given", 0, law.given())},
-          .largest = 1.1 * std::max(law.needed, coulomb(slide.slope, study.rough.block).limit),
-          .color = page.theme().friction};
+  BarChart chart = {.title = "friction of each corner (N)",
+                    .largest = 1.1 * coulomb(slide.slope, study.rough.block).limit,
+                    .color = page.theme().friction};
+  const Snapshot& now = slide.frames[1];
+  const double middle = now.bodies[first_block].pose.position.x();
+  for (const bool upper : {true, false}) {
+    const std::string name = upper ? "upper" : "lower";
+    for (const SnapshotContact& contact : now.contacts) {
+      if ((contact.position.x() < middle) != upper) continue;
+      chart.bars.push_back(named_bar(name + " limit", contact.friction * contact.normal_impulse / now.dt, 0));
+      chart.bars.push_back(named_bar(name + " given", 0, std::abs(contact.friction_impulse) / now.dt));
+    }
+  }
+  return chart;
 }
 
 Equation limit_equation(const Slide& slide) {
   const Coulomb law = coulomb(slide.slope, slide.block);
   const bool holds = law.acceleration == 0;
-  return {
-      .number = "bounds of the tangent row, paper 2.2",
-      .symbols = "|λ_{t}| ≤ μ λ_{n}",
-      .numbers = fmt::format("{} {} {} × {} = {} N", fixed(law.needed, 2), holds ? "≤" : ">",
-                             fixed(slide.block.friction, 2), fixed(law.load, 2), fixed(law.limit, 2)),
-      .result = holds ? fmt::format("it holds: λ_{{t}} = {} N", fixed(law.needed, 2))
-                      : fmt::format("it slides: a = {} m/s²", fixed(law.acceleration, 3)),
-      .algorithm = holds ? "the row gets what it asks for" : "Algorithm 1: clamp to the allowed interval"};
+  return {.number = "both corners together, paper 2.2",
+          .symbols = "|λ_{t}| ≤ μ λ_{n}",
+          .numbers = fmt::format("{} {} {} × {} = {} N", fixed(law.needed, 2), holds ? "≤" : ">",
+                                 fixed(slide.block.friction, 2), fixed(law.load, 2), fixed(law.limit, 2)),
+          .result = holds ? fmt::format("it holds: λ_{{t}} = {} N", fixed(law.needed, 2))
+                          : fmt::format("it slides: a = {} m/s²", fixed(law.acceleration, 3)),
+          .algorithm = holds ? "a row that is not clamped gets what it asks for"
+                             : "Algorithm 1: clamp to the allowed interval"};
 }
 
 std::string state_of(const Slide& slide) {
@@ -93,7 +101,7 @@ QuestionFrame corner_frame(const Study& study, Corners corners) {
           .evidence = [&study](Page& page, const Rect& rect) { draw_corner_bars(page, rect, study); }};
 }
 
-/// The block at rest, or about to slide: needed and limit.
+/// The block at rest, or about to slide: the limit of each corner, and what it gives.
 Shot force_shot(const Study& study, bool rough) {
   const Slide& slide = rough ? study.rough : study.slippery;
   const Coulomb law = coulomb(slide.slope, slide.block);

@@ -37,7 +37,8 @@ double error_of(const PerRow<double>& impulse, const Vector<double>& exact, doub
 /// Looks at every sweep until the goal is reached.
 class GoalObserver final : public SolveObserver<double> {
  public:
-  GoalObserver(const Vector<double>& exact, ChainSolve& solve) : exact_(exact), solve_(solve) {}
+  GoalObserver(const Matrix<double>& A, const Vector<double>& exact, ChainSolve& solve)
+      : A_(A), exact_(exact), solve_(solve) {}
   void before_solve(const VelocityProblem<double>& problem) override { look(problem); }
   void after_sweep(int, const VelocityProblem<double>& problem) override {
     if (solve_.error.back() > goal) look(problem);
@@ -46,14 +47,20 @@ class GoalObserver final : public SolveObserver<double> {
  private:
   void look(const VelocityProblem<double>& problem) {
     solve_.error.push_back(error_of(problem.impulse, exact_, problem.dt));
+    Vector<double> error = -exact_;
+    for (int i = 0; i < problem.row_count(); ++i) error(i) += problem.impulse[i] / problem.dt;
+    if (solve_.by_energy < 0 && error.dot(A_ * error) <= goal * goal * exact_.dot(A_ * exact_))
+      solve_.by_energy = solve_.error.size() - 1;
   }
+  const Matrix<double>& A_;
   const Vector<double>& exact_;
   ChainSolve& solve_;
 };
 
 ChainSolve solve_chain(VelocityProblem<double> problem, const Vector<double>& exact, Solver<double>& solver) {
   ChainSolve solve;
-  GoalObserver observer(exact, solve);
+  const Matrix<double> A = system_matrices(problem).A;
+  GoalObserver observer(A, exact, solve);
   solver.solve(problem, &observer);
   solve.sweeps = solve.error.size() - 1;
   return solve;

@@ -18,25 +18,25 @@ const LessonCard lesson12(
      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                "tests/solvers/iterative/block_tests.cpp"},
      .question =
-         "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row and 1 "
-         "with its weld as a block; two take 110 and 61. Three take 435 row by row. How many of these remain "
-         "with blocks: (1) few, as for one beam; (2) half, as for two; (3) three quarters; (4) nearly all?",
-     .spoilers = {"326", "75 %", "three in four", "zig-zag"},
+         "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row, and 1 "
+         "with its weld as a block. Two beams take 110 row by row. How many do they take with a block for "
+         "each of their two welds?",
+     .spoilers = {"61", "55 %", "326", "75 %", "zig-zag"},
      .unasked = {"angle", "inertia", "sweeps"},
      .wrong = {{{1},
-                {1},
-                "That would be so if most of the conflict were within the welds. It is "
-                "between them."},
-               {{2}, {2}, "The second beam adds a place where two welds meet, and so does the third."},
-               {{4},
-                {4},
+                {50},
+                "So few would do if most of the conflict were within the welds. Much of it is between them: "
+                "what a block corrects at one weld, it spoils at the other."},
+               {{72},
+                {110},
                 "The first weld has rows that disturb each other much, and there a block "
                 "helps."}},
-     .hints = {"A block ends the conflict between the rows of one joint. Are there others, and are there "
-               "more of them in a longer chain?",
-               "To the other joints a block acts like a single row: it stops its own error and starts one "
-               "next door. One weld has no weld next door, and keeps 6 % of its sweeps; two keep 55 %.",
-               "Three in four of the sweeps remain."},
+     .hints =
+         {"A block ends the conflict between the rows of one joint. Are there others, and are there "
+          "more of them in a longer chain?",
+          "To the other joints a block acts like a single row: it stops its own error and starts one "
+          "next door. One weld has no weld next door, and is right after one visit; two have each other.",
+          "A little more than half of the 110 sweeps remain."},
      .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
                     {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},
                     {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},

@@ -79,7 +79,8 @@ void draw_inside(Page& page, const BlocksRuns& all) {
 
 void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
   const Rect inside = page.panel(rect, "each welded to the one before, and the first to a wall");
-  const Camera camera = fit(inside, {{-0.25, -0.4}, {3.15, 0.4}});
+  const int beams = chain.start.bodies.size() - 1;  // body 0 is the wall
+  const Camera camera = fit(inside, {{-0.25, -0.4}, {beams * beam_length + 0.15, 0.4}});
   draw_wall(page, camera);
   Snapshot start = chain.start;
   start.joints.clear();
@@ -88,14 +89,15 @@ void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
 
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked) {
   const Rect inside = page.panel(rect, "sweeps to 1 %: with blocks, of those row by row");
-  const double pitch = inside.height / (welded_three + 1);
+  const int last = asked ? welded_two : welded_three;
+  const double pitch = inside.height / (last + 1);
   TextStyle text = page.value(), name = page.label();
   text.size *= 1.2;
   name.size = text.size;
   text.align = Align::right;
-  for (int chain = welded_one; chain <= welded_three; ++chain) {
+  for (int chain = welded_one; chain <= last; ++chain) {
     const int rows = all.chains[chain].rows.sweeps, blocks = all.chains[chain].blocks.sweeps;
-    const bool hidden = asked && chain == welded_three;
+    const bool hidden = asked && chain == welded_two;
     const double top = inside.y + pitch * chain, middle = top + 0.45 * pitch;
     const Rect bar = {inside.x, middle, inside.width, 0.4 * pitch};
     page.canvas().text({inside.x, middle - 10}, fmt::format("{} beam{}", chain + 1, chain == 0 ? "" : "s"),

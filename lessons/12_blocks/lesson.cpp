@@ -89,17 +89,14 @@ void run(Lesson& lesson) {
   print_runs(lesson, all);
   const Savings savings = count_savings(all);
   print_savings(lesson, all, savings);
-  const ChainRun& asked = all.chains[welded_three];
-  const double left = share_left(asked);
+  const ChainRun& asked = all.chains[welded_two];
+  const ChainRun& longer = all.chains[welded_three];
   lesson.answer(
-      {left < 25   ? 1.0
-       : left < 65 ? 2.0
-       : left < 88 ? 3.0
-                   : 4.0},
-      0,
+      {1.0 * asked.blocks.sweeps}, 10,
       fmt::format("{} of {} sweeps. A block ends the conflict between the rows of one joint. What is "
-                  "left is between the joints, and takes nearly as many sweeps as before.",
-                  asked.blocks.sweeps, asked.rows.sweeps));
+                  "left is between the joints, and a longer chain has more of it: with three beams "
+                  "{} of {} sweeps are left.",
+                  asked.blocks.sweeps, asked.rows.sweeps, longer.blocks.sweeps, longer.rows.sweeps));
   check_runs(lesson, all);
   check_savings(lesson, all, savings);
   lesson.film(blocks_shots(all));

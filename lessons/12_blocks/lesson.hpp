@@ -48,6 +48,7 @@ struct RodRun {
 struct ChainSolve {
   List<double> error = {};  // max |lambda - exact| / max |exact| after each sweep, until the goal
   int sweeps = 0;           // to the goal
+  int by_energy = -1;       // until sqrt(e^T A e), e = lambda - exact, is at the goal; -1: not before
   long long work = 0;       // multiply-adds to the goal
 };
 
@@ -88,6 +89,7 @@ struct BlocksRuns {
 inline constexpr int most_sweeps = 4000;  // before a solver gives up
 inline constexpr double goal = 0.01;      // error at which a chain counts as solved
 inline constexpr int welded_one = 0;      // in BlocksRuns::chains
+inline constexpr int welded_two = 1;
 inline constexpr int welded_three = 2;
 inline constexpr int level_pins = 4;
 inline constexpr int welded_ten = 7;  // needs more sweeps than the others
@@ -163,13 +165,13 @@ List<Shot> bob_shots(const BlocksRuns& all);
 
 /// A chain before the first sweep.
 void draw_start(Page& page, const Rect& rect, const ChainRun& chain);
-/// The sweeps of one, two and three beams with blocks, as a part of those by rows; what is asked for is left
-/// out.
+/// The sweeps of one, two and three beams with blocks, as a part of those by rows; of the question, one and
+/// two, and what is asked for is left out.
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked);
 /// The bob after so many steps, by rows and by its block.
 void draw_both_bobs(Page& page, const FixedList<Rect, 2>& rects, const BlocksRuns& all, int step);
 
-/// Rows in the look of sequential impulses, blocks in that of a further solver.
+/// Rows grey and dashed, blocks solid in the colour of sequential impulses.
 SeriesStyle style_of_rows(const Page& page);
 SeriesStyle style_of_blocks(const Page& page);
 

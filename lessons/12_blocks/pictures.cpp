@@ -187,7 +187,9 @@ List<Shot> rod_shots(const BlocksRuns& all) {
 std::string answer_text(const BlocksRuns& all) {
   const bool thrown = all.bob_rows.largest_energy > 1000;
   return fmt::format(
-      "{} %: the conflict between the joints is left. {}", fixed(share_left(all.chains[welded_three]), 0),
+      "{} of {}, {} %, and with three beams {} %: the conflict between the joints is left. {}",
+      all.chains[welded_two].blocks.sweeps, all.chains[welded_two].rows.sweeps,
+      fixed(share_left(all.chains[welded_two]), 0), fixed(share_left(all.chains[welded_three]), 0),
       thrown ? "But where the rows of one joint couple strongly, as at the bob's pin, a block is the "
                "difference between an explosion and a pendulum."
              : "With this inertia rows do not throw the bob either; with a tiny one they do.");
@@ -198,13 +200,13 @@ QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
   const auto draw = [&all, asked](Page& page, const Rect& rect) {
     const List<Rect> parts = in_columns(page, rect, asked ? List<Cut>{0.6, 0.4} : List<Cut>{0.4, 0.3, 0.3});
     draw_sweep_bars(page, asked ? parts[1] : parts[0], all, asked);
-    if (asked) return draw_start(page, parts[0], all.chains[welded_three]);
+    if (asked) return draw_start(page, parts[0], all.chains[welded_two]);
     const int step = static_cast<int>(std::lround(0.8 / all.settings.dt));
     draw_both_bobs(page, {parts[1], parts[2]}, all, step);
   };
   return {.state = asked ? "before the first sweep" : "answer",
-          .alt = asked ? "Three beams, each welded to the one before and the first to a wall, bars of sweeps "
-                         "of which one is missing, and the question."
+          .alt = asked ? "Two beams, welded to each other and the first to a wall, bars of sweeps of which "
+                         "one is missing, and the question."
                        : "Bars of the sweeps that are left with blocks, for one, two and three beams: more "
                          "and more; the bob after 0.8 s, torn away by rows and on its circle with a block; "
                          "and the answer.",
@@ -214,8 +216,8 @@ QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
 
 }  // namespace
 
-SeriesStyle style_of_rows(const Page& page) { return page.theme().si; }
-SeriesStyle style_of_blocks(const Page& page) { return render::style_of_solver(page.theme(), "block"); }
+SeriesStyle style_of_rows(const Page& page) { return render::neutral_styles(page.theme())[1]; }
+SeriesStyle style_of_blocks(const Page& page) { return {page.theme().si.color, {}, Marker::circle}; }
 
 List<Shot> blocks_shots(const BlocksRuns& all) {
   List<Shot> shots = {question_shot(card(), question_frame(all, true))};

@@ -18,7 +18,7 @@ const LessonCard lesson13(
      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
      .question =
          "A weight of 1 kg is let go on a spring of 2 Hz with damping ratio ½, 200 mm too low. As a "
-         "force the spring would push with k\u00a0·\u00a00.2\u00a0m\u00a0=\u00a031.6\u00a0N; a rigid row "
+         "force the spring would begin with k\u00a0·\u00a00.2\u00a0m\u00a0=\u00a031.6\u00a0N; a rigid row "
          "with the same β\u00a0=\u00a00.2 pushes with 110\u00a0N. With how many newtons does the spring push "
          "as a soft row, in its first step of 0.02\u00a0s?",
      .spoilers = {"26.4", "less than either", "30.5"},

@@ -22,8 +22,8 @@ void draw_levels(Page& page, const Camera& camera, double error) {
                       page.sizes().hatch_pitch);
   page.canvas().line(camera.project({left_x, rest_length}), camera.project({right_x, rest_length}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 5}});
-  page.canvas().text(camera.project({0.5 * (soft_x + rigid_x), rest_length + 0.03}), "c = 0: bottom, no load",
-                     aligned(page.label(), Align::center));
+  page.canvas().text(camera.project({rigid_x - half_height - 0.03, rest_length + 0.03}), "c = 0: no load",
+                     aligned(page.label(), Align::right));
   const Stroke thin{.width = 1.5, .color = page.theme().text};
   const double x = left_x + 0.1, foot = rest_length + error;
   page.canvas().line(camera.project({x, rest_length}), camera.project({x, foot}), thin);
@@ -32,16 +32,17 @@ void draw_levels(Page& page, const Camera& camera, double error) {
                      fixed(1000 * error + 0.0, 0) + " mm", page.label());
 }
 
-/// The push of a row beside its weight: 110 N are three quarters of a metre long for 1 kg.
+/// The push of a row beside its weight: 110 N are three quarters of a metre long for 1 kg. Its number is
+/// `below` px under its tail.
 void draw_push(Page& page, const Camera& camera, const SoftRuns& all, const Vec2<double>& tail, double lambda,
-               const std::string& text, ArrowKind kind) {
+               const std::string& text, ArrowKind kind, double below = 24) {
   const double weight = all.settings.mass * gravity;
   const ArrowScale scale{
       .pixels_per_unit = 0.068 * camera.scale / weight, .longest = 0.8 * camera.scale, .unit = "N"};
   draw_arrow(page, camera, scale, {.kind = kind, .tail = tail, .value = {0, lambda}});
   if (lambda * scale.pixels_per_unit > scale.longest) return;  // then it says so itself
   const bool is_up = lambda > -0.2 * weight;                   // shorter ones are dots
-  page.canvas().text(camera.project(tail) + Point(-14, is_up ? 24 : -10), text, page.value());
+  page.canvas().text(camera.project(tail) + Point(-14, is_up ? below : -10), text, page.value());
 }
 
 /// Upwards, but of no length that could be measured.
@@ -78,8 +79,8 @@ void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const We
               step == 0 ? ArrowKind::inactive : ArrowKind::joint);
   }
   if (step == 1 && is_soft)
-    draw_push(page, camera, all, tail + Vec2<double>(0.3, 0), force, "force: " + newtons(all, force),
-              ArrowKind::inactive);
+    draw_push(page, camera, all, tail + Vec2<double>(0.12, 0), force, "as a force " + newtons(all, force),
+              ArrowKind::inactive, 46);
   TextStyle name = aligned(page.label(), Align::center);
   const Point at = camera.project({x, -0.08});
   page.canvas().text({at.x(), at.y() + name.size}, is_soft ? "soft row" : "rod: γ = 0, same β", name);
@@ -100,6 +101,7 @@ void draw_errors(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   plot.x = {.title = "t (s)", .min = 0, .max = seconds};
   Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
   exact.style.marker = Marker::none;
+  exact.style.dash = {8, 5};
   const int points = std::clamp(static_cast<int>(40 * all.settings.frequency * seconds), 200, 4000);
   double lowest = 0;
   double highest = 0;

@@ -18,13 +18,16 @@ const LessonCard lesson14(
      .question =
          "Masses of 1, 2 and 3 kg hang on one rope over wheels without mass or friction, the 2 kg on two "
          "parts of it. Shared alike, their 60\u00a0N are 15\u00a0N for each of the four parts. All are let "
-         "go. Is "
-         "λ, the pull in the rope, (1) less than 15\u00a0N, (2) 15\u00a0N, (3) more?",
+         "go. With how many newtons does each part of the rope pull?",
      .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
      .unasked = {"lift"},
-     .wrong = {{{2}, {2}, "So it would be if all masses hung still. They do not."},
-               {{3},
-                {3},
+     .wrong = {{{15}, {15}, "So it would be if all masses hung still. They do not."},
+               {{0},
+                {11.4},
+                "Then the heavy mass would fall faster than the two light ones rise, and the rope would get "
+                "longer."},
+               {{15.1},
+                {60},
                 "Then the two light masses would rise faster than the heavy one can fall. A light mass gives "
                 "way easily: its 1/m is large."}},
      .hints = {"What the rope gives on one side it takes on the others: y₁ + 2 y₂ + y₃ stays as it is.",

@@ -86,12 +86,8 @@ void run(Lesson& lesson) {
   print_objects(lesson, objects);
   const double tension = tension_by_hand(settings);
   const double share = equal_share(settings);
-  const double rounding = 1e-9 * share;
   lesson.answer(
-      {tension < share - rounding   ? 1.0
-       : tension > share + rounding ? 3.0
-                                    : 2.0},
-      0,
+      {tension}, 0.5,
       fmt::format(
           "λ = {} N, where each part would carry {} N if all hung still. A mass goes down where the rope "
           "pulls with less than its weight: {}.",

@@ -221,9 +221,9 @@ using Measure = double (*)(const Vec2<double>& place);
 
 /// The measure of the square over the direction in degrees, by its formula.
 Series formula_series(const Page& page, Measure measure) {
-  SeriesStyle thin = page.theme().exact;
-  thin.marker = Marker::none;
-  Series series{.style = thin, .markers = false};
+  SeriesStyle style = limit_style(page, false);
+  style.marker = Marker::none;
+  Series series{.name = "square", .style = style, .markers = false};
   for (int i = 0; i <= 90; ++i) {
     const double c = std::cos(i * pi / 180);
     const double s = std::sin(i * pi / 180);
@@ -237,7 +237,7 @@ Series slides_series(const SeriesStyle& style, const Slides& all, int count, Vec
                      Measure measure) {
   // The circle's are a line, as they would cover the square's along the axes.
   const bool is_line = stop == &Direction::circle;
-  Series series{.style = style, .line = is_line, .markers = !is_line};
+  Series series{.name = is_line ? "circle" : "", .style = style, .line = is_line, .markers = !is_line};
   for (int i = 0; i < std::min(count, 7); ++i) {
     const Direction& direction = all.directions[i];
     series.x.push_back(direction.degrees);
@@ -262,13 +262,13 @@ double direction_of(const Vec2<double>& place) { return std::atan2(place.y(), pl
 void draw_directions(Page& page, const Slides& all, int count) {
   const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.5, 0.5}}});
   draw_stops(page, parts[0], all, count);
-  Plot length{.title = "distance to the stop / (v²/2μg), the curve by formula"};
+  Plot length{.title = "distance to the stop / (v²/2μg), dashed: by formula"};
   length.x = {.title = "direction of the start (°)", .min = 0, .max = 90};
   length.y = {.title = "", .min = 0.6, .max = 1.1};
   length.series = over_direction(page, all, count, length_of);
   length.goals = {{std::sqrt(0.5), "1/√2"}};
   draw_plot(page, parts[1], length);
-  Plot angle{.title = "direction of the stop (°), the curve by formula"};
+  Plot angle{.title = "direction of the stop (°), dashed: by formula"};
   angle.x = length.x;
   angle.y = {.title = "", .min = 0, .max = 90};
   angle.series = over_direction(page, all, count, direction_of);

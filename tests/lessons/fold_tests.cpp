@@ -177,6 +177,18 @@ TEST_CASE("a page has six headings") {
   }
 }
 
+TEST_CASE("a page closes every fold that it opens, and no more") {
+  static const std::regex opens("<details"), closes("</details>");
+  for (const LessonInfo& card : cards()) {
+    CAPTURE(card.name);
+    const std::string text = readme_of(card);
+    const auto count = [&text](const std::regex& what) {
+      return std::distance(std::sregex_iterator(text.begin(), text.end(), what), std::sregex_iterator());
+    };
+    CHECK(count(opens) == count(closes));
+  }
+}
+
 TEST_CASE("things to find out hide their answers, all in one form") {
   static const std::regex item(
       "\n[0-9]+\\. [^\n]*(\n   ? ?[^\n]+)*\n\n"
