@@ -128,7 +128,7 @@ Shot shot_of_answer(const Story& story) {
       card(),
       {.state = fmt::format("after {} s", significant(swing_seconds)),
        .alt = "Where the box is on its spring over two seconds: with the position first it swings "
-              "further each time, with the velocity first it does not. " +
+              "further each time, up to a dashed line; with the velocity first it does not. " +
               text,
        .scene = [&story](Page& page, const Rect& rect) { draw_swings(page, rect, story.springs); }},
       text);
@@ -142,6 +142,11 @@ List<Shot> pictures(const Story& story) {
       {.state = "before it is let go",
        .alt = "A box on a spring, pulled 1 m aside; and the question how far it swings after two seconds",
        .scene = draw_spring_question})};
+  shots.push_back(
+      key_shot(story, "on a spring",
+               "Velocity against position in the first swing: with the position first a spiral that "
+               "runs outwards, with the velocity first an ellipse beside the exact circle.",
+               [](Page& page, const Story& of) { draw_loops(page, of.springs); }));
   shots.push_back(key_shot(story, "one body, three numbers",
                            "The box before the throw; a table of its position and its velocity; and M⁻¹ as a "
                            "diagonal matrix: 1, 1 and 6.",
@@ -152,11 +157,6 @@ List<Shot> pictures(const Story& story) {
                "The error at the end of the flight over the time step, on logarithmic axes: measured "
                "points on a line of slope 1, from the standard step to a sixteenth of it.",
                draw_convergence));
-  shots.push_back(
-      key_shot(story, "on a spring",
-               "Velocity against position in the first swing: with the position first a spiral that "
-               "runs outwards, with the velocity first an ellipse beside the exact circle.",
-               [](Page& page, const Story& of) { draw_loops(page, of.springs); }));
   shots.push_back(shot_of_answer(story));
   return shots;
 }

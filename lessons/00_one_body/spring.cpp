@@ -127,8 +127,17 @@ void draw_swings(Page& page, const Rect& rect, const Springs& springs) {
   Plot plot{.title = "where the box is on its spring (m)"};
   plot.x = {.title = "t (s)", .min = 0, .max = swing_seconds};
   plot.y = {.min = -most, .max = most};
+  const SeriesStyle thin{.color = page.theme().secondary_text, .dash = {6, 5}};
+  Series above{.name = significant(swing_at_end(springs.explicit_euler), 3) + " m", .style = thin};
+  Series below{.style = thin};
+  const double factor = std::hypot(1, omega * springs.dt);
+  for (int k = 0; k < springs.explicit_euler.x.size(); ++k) {
+    above.add(k * springs.dt, std::pow(factor, k));
+    below.add(k * springs.dt, -above.y.back());
+  }
   plot.series = {series_of(springs.explicit_euler, "position first", explicit_style(page), springs.dt),
-                 series_of(springs.semi_implicit, "velocity first", semi_implicit_style(page), springs.dt)};
+                 series_of(springs.semi_implicit, "velocity first", semi_implicit_style(page), springs.dt),
+                 above, below};
   draw_plot(page, rect, plot);
 }
 

@@ -227,12 +227,14 @@ std::string answer_text(const List<Motion>& asked) {
 }  // namespace
 
 List<Shot> rod_shots(const Story& story) {
+  const Vec3<double> moved = 0.5 * story.rod.asked.back().velocity;  // in half a second
+  const Pose<double> later = {story.rod.pose.position + moved.head<2>(), story.rod.pose.angle + moved.z()};
   List<Shot> shots = {question_shot(
       card(),
       frame_of(story, "before we ask",
                "A box on a rod that hangs from a pivot, three velocities of the box, and the question how "
                "fast each makes the rod longer",
-               {.asked = true}))};
+               {.others = {later}, .asked = true}))};
   shots.push_back(
       key_shot(story, "c: where",
                "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "

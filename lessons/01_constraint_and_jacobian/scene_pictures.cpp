@@ -232,6 +232,14 @@ void draw_asked(Page& page, const Camera& camera, const Rod& rod, bool answered)
   }
 }
 
+/// The anchor of the box as it stands half a second later, and when that is.
+void name_later(Page& page, const Camera& camera, const Rod& rod, const Pose<double>& later) {
+  page.canvas().circle(camera.project(later.world(rod.local_anchor)), 0.6 * page.sizes().joint,
+                       {.fill = page.theme().secondary_text});
+  const Vec2<double> beside = later.position + Vec2<double>(0.75, -0.35);
+  page.canvas().text(camera.project(beside), "3, after 0.5 s", page.secondary());
+}
+
 }  // namespace
 
 void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look) {
@@ -241,8 +249,10 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
   if (look.circles) draw_circles(page, camera, rod, look);
   List<Snapshot> others;
   for (const Pose<double>& pose : look.others) others.push_back(moved_to(rod, pose));
+  if (look.asked) draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
   for (const Snapshot& other : others) draw_ghosts(page, camera, Span<const Snapshot>(&other, 1));
-  draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
+  if (!look.asked) draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
+  if (look.asked) name_later(page, camera, rod, look.others[0]);
   page.avoid({camera.project({0, 0}), camera.project(look.pose.world(rod.local_anchor))});
   page.canvas().circle(camera.project({0, 0}), page.sizes().joint,
                        {.fill = page.theme().panel, .outline = page.theme().outline, .outline_width = 2});

@@ -190,13 +190,13 @@ List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
        .alt =
            "Three stacked boxes, the uppermost a heavy one, all falling at the same speed, and the question.",
        .scene = scene_after(0)})};
+  for (int i = 0; i < heavy.settings.boxes; ++i) shots.push_back(update_shot(heavy, i));
   for (int i = 0; i < run.updates.size(); ++i) shots.push_back(update_shot(run, i));
   shots.push_back(
       key_shot(run, fmt::format("all {} sweeps", run.settings.sweeps),
                "λ of the contacts over the sweeps, rising to the exact values; and the velocities "
                "of the boxes, going to zero.",
                draw_course));
-  for (int i = 0; i < heavy.settings.boxes; ++i) shots.push_back(update_shot(heavy, i));
   const List<double> after = velocities_after(heavy, 1);
   const std::string fall = significant(-after.back());
   shots.push_back(answer_shot(

@@ -94,8 +94,8 @@ void run(Lesson& lesson) {
   print_scenes(lesson, all.settings);
   lesson.predict();
   lesson.print();
-  print_stack(lesson, all);
   print_rod(lesson, all);
+  print_stack(lesson, all);
   print_intervals(lesson);
   lesson.answer(
       {all.rod.formula[1]}, 1e-6,

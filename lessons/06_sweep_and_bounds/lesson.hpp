@@ -27,7 +27,7 @@ struct Swept {
   double gap = 0;                        // [N] to the same sweeps by hand; the largest
 };
 
-/// Scene A: one row for each contact of a stack of unit boxes of 1 kg, from the ground up.
+/// Scene B: one row for each contact of a stack of unit boxes of 1 kg, from the ground up.
 struct StackRun {
   SystemMatrices<double> system = {};
   Swept up = {};              // from the ground up
@@ -38,7 +38,7 @@ struct StackRun {
   Snapshot snapshot = {};
 };
 
-/// Scene B: a row for each support of a rod.
+/// Scene A: a row for each support of a rod.
 struct RodRun {
   SystemMatrices<double> system = {};
   Swept bounded = {};                 // sweeps of projected Gauss-Seidel

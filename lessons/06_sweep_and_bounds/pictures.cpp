@@ -148,14 +148,13 @@ Shot update_shot(const SweepRun& run, int k) {
   const RowUpdate<double>& update = run.stack.up.updates[k];
   const int row = update.row;
   const int n = run.settings.boxes;
-  const bool last = k + 1 == run.stack.up.updates.size();
   return {.state = fmt::format("the stack · sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps,
                                update.row + 1, n),
           .alt = fmt::format("Stack, A and b, bars of λ: sweep {}, row {} puts its λ to {:.4f} N; exact is "
                              "{:g} N.",
                              update.sweep, row + 1, run.stack.up.after[k][row], run.stack.exact[row]),
           .draw = [&run, k](Page& page) { draw_update(page, run, k); },
-          .key = k == 1 || k == n || last};
+          .key = k == n};
 }
 
 List<Shot> stack_shots(const SweepRun& run) {
@@ -221,7 +220,7 @@ Equation equation_28(const Page& page, const SystemMatrices<double>& system, con
 
 List<Shot> sweep_shots(const SweepRun& run) {
   List<Shot> shots = {question_shot(run)};
-  for (const List<Shot>& part : {stack_shots(run), rod_shots(run)})
+  for (const List<Shot>& part : {rod_shots(run), stack_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back({.state = "intervals",
                    .alt = "Number lines: the interval of a contact or rope, of a joint, of a motor and of "

@@ -83,7 +83,7 @@ void print_scenes(Lesson& lesson, const SweepSettings& settings) {
 void print_stack(Lesson& lesson, const SweepRun& run) {
   const StackRun& stack = run.stack;
   lesson.print(
-      fmt::format("Scene A: {} unit boxes of 1 kg on top of each other; A and b are those of lesson 05",
+      fmt::format("Scene B: {} unit boxes of 1 kg on top of each other; A and b are those of lesson 05",
                   run.settings.boxes));
   const int shown = std::min(2 * run.settings.boxes, 9 - run.settings.boxes);
   for (int k = 0; k < stack.up.updates.size(); ++k) print_update(lesson, stack.system, stack.up, k, shown);
@@ -113,7 +113,7 @@ void print_stack(Lesson& lesson, const SweepRun& run) {
 void print_rod(Lesson& lesson, const SweepRun& run) {
   const RodRun& rod = run.rod;
   const Matrix<double>& A = rod.system.A;
-  lesson.print(fmt::format("Scene B: the rod; supports at 0 and {:g} m, its middle at {:g} m; I = {:g} kg m²",
+  lesson.print(fmt::format("Scene A: the rod; supports at 0 and {:g} m, its middle at {:g} m; I = {:g} kg m²",
                            run.settings.support, rod_length / 2, rod_inertia));
   lesson.print(fmt::format(
       "  A = [{0:.4g} {1:.4g}; {1:.4g} {2:.4g}], b = ({3:.4g}, {4:.4g}); A λ = b: λ = "

@@ -53,7 +53,8 @@ struct TwiceRun {
   int at_bound = 0;           // rows that end at lambda = 0
   double pgs_off = 0;         // [%] largest error of any lambda after asked_sweeps, of the largest lambda
   double si_off = 0;
-  double entries = 0;  // of an average row of A that are not 0
+  PerRow<double> exact = {};  // where both end, lambda [N]
+  double entries = 0;         // of an average row of A that are not 0
 };
 
 inline constexpr int asked_sweeps = 10;  // that the question is about
@@ -89,9 +90,10 @@ List<Shot> twice_shots(const TwiceRun& run);
 /// Lambda of both solvers at one moment [N].
 struct Moment {
   PerRow<double> pgs = {};
-  PerRow<double> si = {};
+  PerRow<double> si = {};  // empty: not shown
   int active = -1;
   PerRow<double> unclamped = {};  // what each row asked for; empty: not known
+  PerRow<double> exact = {};      // a tick on each pair
 };
 
 /// From the least to the largest lambda [N] of all moments, clamped or not.
@@ -103,7 +105,8 @@ struct Range {
 Range range_of(const TwiceRun& run);
 
 /// Two bars for every row, side by side: they never part.
-void draw_pairs(Page& page, const Rect& rect, const Moment& moment, const Range& range);
+void draw_pairs(Page& page, const Rect& rect, const std::string& title, const Moment& moment,
+                const Range& range);
 
 /// A as colours, with one row framed.
 void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active);

@@ -25,9 +25,13 @@ void draw_pair(Page& page, const PairField& field, const Moment& moment, int i) 
   const Color outline = page.theme().outline;
   const double line = active ? 2 : 0;
   bar(0, 0.4, moment.pgs[i], {.fill = page.theme().pgs.color, .outline = outline, .outline_width = line});
-  bar(0.4, 0.4, moment.si[i], {.fill = page.theme().si.color, .outline = outline, .outline_width = line});
+  if (!moment.si.empty())
+    bar(0.4, 0.4, moment.si[i], {.fill = page.theme().si.color, .outline = outline, .outline_width = line});
   if (!moment.unclamped.empty() && moment.si[i] != moment.unclamped[i])
     bar(0, 0.8, moment.unclamped[i], {.outline = page.theme().secondary_text, .outline_width = 1.5});
+  const double y = field.zero - moment.exact[i] * field.per_newton;
+  page.canvas().line({left - 0.08 * field.pitch, y}, {left + 0.88 * field.pitch, y},
+                     {.width = 3, .color = page.theme().text});
   const bool beside = moment.active >= 0 && std::abs(i - moment.active) == 1;
   if (!active && (beside || (i % 5 != 4 && i != 0))) return;
   TextStyle name = aligned(page.tick(), Align::center);
@@ -44,33 +48,38 @@ Range range_of(const TwiceRun& run) {
     range = {std::min(range.low, value), std::max(range.high, value)};
   };
   for (const RowStep& step : run.steps) add(step.by_27);
+  std::for_each(run.exact.begin(), run.exact.end(), add);
   for (const PerRow<double>& sweep : run.si) std::for_each(sweep.begin(), sweep.end(), add);
   return range;
 }
 
-void draw_pairs(Page& page, const Rect& rect, const Moment& moment, const Range& range) {
+void draw_pairs(Page& page, const Rect& rect, const std::string& title, const Moment& moment,
+                const Range& range) {
   Canvas& canvas = page.canvas();
-  const Rect inside = page.panel(rect, "λ of rows 1 to 20 (N), a pair for each:");
-  double x = inside.x + canvas.text_width("λ of rows 1 to 20 (N), a pair for each:", page.secondary()) + 16;
+  const Rect inside = page.panel(rect, title);
+  double x = inside.x + canvas.text_width(title, page.secondary()) + 16;
+  const char* const si = moment.si.empty() ? "SI: ?" : "SI";
   for (const auto& [name, color] :
-       {std::pair("PGS", page.theme().pgs.color), std::pair("SI", page.theme().si.color)}) {
+       {std::pair("PGS", page.theme().pgs.color), std::pair(si, page.theme().si.color)}) {
     canvas.rect({x, rect.y + 17, 12, 12}, {.fill = color});
     canvas.text({x + 18, rect.y + 29}, name, page.label());
     x += 80;
   }
+  canvas.line({x, rect.y + 23}, {x + 18, rect.y + 23}, {.width = 3, .color = page.theme().text});
+  canvas.text({x + 24, rect.y + 29}, "answer", page.label());
   TextStyle tick = aligned(page.tick(), Align::right);
   const double gutter = canvas.text_width("−000", tick) + 6;
   PairField field{{inside.x + gutter, inside.y + 6, inside.width - gutter, inside.height - tick.size - 14}};
   field.per_newton = field.rect.height / (range.high - range.low);
   field.zero = field.rect.y + range.high * field.per_newton;
-  field.pitch = field.rect.width / moment.si.size();
+  field.pitch = field.rect.width / moment.pgs.size();
   const double end = field.rect.x + field.rect.width;
   for (const double y : render::round_ticks(range.low, range.high, 6)) {
     const double at = field.zero - y * field.per_newton;
     canvas.line({field.rect.x, at}, {end, at}, {.width = 1, .color = page.theme().grid});
     canvas.text({field.rect.x - 6, at + 0.35 * tick.size}, fixed(y, 0), tick);
   }
-  for (int i = 0; i < moment.si.size(); ++i) draw_pair(page, field, moment, i);
+  for (int i = 0; i < moment.pgs.size(); ++i) draw_pair(page, field, moment, i);
   canvas.line({field.rect.x, field.zero}, {end, field.zero}, {.width = 1.5, .color = page.theme().outline});
 }
 

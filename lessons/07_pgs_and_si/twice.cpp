@@ -143,6 +143,8 @@ void ask(TwiceRun& run) {
   SequentialImpulse<double>({.iterations = 20000}).solve(settled);
   run.pgs_off = off_after_asked<ProjectedGaussSeidel<double>>(run.problem, settled.impulse);
   run.si_off = off_after_asked<SequentialImpulse<double>>(run.problem, settled.impulse);
+  run.exact = settled.impulse;
+  for (double& lambda : run.exact) lambda /= run.problem.dt;
   run.entries = static_cast<double>((run.system.A.array() != 0).count()) / run.problem.row_count();
 }
 
