@@ -204,7 +204,7 @@ nlohmann::json covers_of(const Program& program) {
 /// What book.lua has to know of a lesson beside its texts.
 nlohmann::json facts_of(const Workshop& shop, const Program& program, BookSize& size) {
   const Words pictures =
-      shop.is_for_print ? Words{"--frames", "key", "--format", "svg"} : Words{"--frames", "all"};
+      shop.is_for_print ? Words{"--frames", "key", "--format", "svg", "--text"} : Words{"--frames", "all"};
   const ProcessResult result = run_in_theme(program, shop, "light", pictures);
   if (!shop.is_for_print) run_in_theme(program, shop, "dark", pictures);
   size.all_held = size.all_held && result.code != 1;
