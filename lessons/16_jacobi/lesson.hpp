@@ -143,8 +143,8 @@ PileRun run_pile(const PileSettings& settings);
 /// `most`.
 int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int most);
 
-/// For how long every row has to wait in one sweep, if each has a processor of its own.
-int waits_per_sweep(const PileRun& run, const PileHistory& history);
+/// One after the other, in a sweep, if each row has a processor of its own.
+int turns_per_sweep(const PileRun& run, const PileHistory& history);
 
 /// Ten sweeps over a pyramid, colour by colour.
 struct ThreadedSweeps {

@@ -223,7 +223,7 @@ int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int
   return -1;
 }
 
-int waits_per_sweep(const PileRun& run, const PileHistory& history) {
+int turns_per_sweep(const PileRun& run, const PileHistory& history) {
   if (history.method != Method::sequential) return 1;
   return &history == &run.coloured ? run.colours : run.problem.row_count();
 }

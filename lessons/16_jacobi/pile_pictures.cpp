@@ -60,21 +60,21 @@ void draw_convergence(Page& page, const PileRun& run) {
   plot.goals.push_back({0.01, "1 %"});
   draw_plot(page, parts[0], plot);
   TableView table;
-  table.header = {"method", "sweeps to 1 %", "waits a sweep", "waits"};
+  table.header = {"method", "sweeps to 1 %", "turns a sweep", "turns"};
   const auto line = [&](const std::string& name, const PileHistory& history) {
-    const int waits = waits_per_sweep(run, history);
+    const int turns = turns_per_sweep(run, history);
     const int needed = history.sweeps_needed;
-    table.rows.push_back({name, needed < 0 ? "never" : fmt::format("{}", needed), fmt::format("{}", waits),
-                          needed < 0 ? "·" : fmt::format("{}", needed * waits)});
+    table.rows.push_back({name, needed < 0 ? "never" : fmt::format("{}", needed), fmt::format("{}", turns),
+                          needed < 0 ? "·" : fmt::format("{}", needed * turns)});
   };
   for (const PileHistory& history : run.histories)
     line(method_name(history.method, run.settings.omega), history);
   line("SI, by colours", run.coloured);
   page.table(parts[1], "", table);
-  page.note(
-      parts[2], "With a processor for each row",
-      "Jacobi waits for all others once a sweep. SI waits for every row. With colours, rows that share no "
-      "box run together, so SI can be parallel, too.");
+  page.note(parts[2], "With a processor for each row",
+            "All rows of Jacobi work in one turn. SI takes one row after the other. With colours, rows that "
+            "share no "
+            "box run together, so SI can be parallel, too.");
 }
 
 /// The same bodies seen in a mirror at x = 0.
@@ -138,7 +138,7 @@ List<Shot> pile_shots(const PileRun& run) {
                "method.",
                draw_eigenvalues));
   shots.push_back(key_shot(run, "one step of the pyramid",
-                           "Residual against sweeps for four methods, and how many waits each needs with a "
+                           "Residual against sweeps for four methods, and how many turns each needs with a "
                            "processor for each row.",
                            draw_convergence));
   shots.push_back(key_shot(

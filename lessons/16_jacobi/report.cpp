@@ -44,23 +44,23 @@ void print_pile(Lesson& lesson, const PileRun& run) {
   lesson.print(fmt::format("Pyramid: {} boxes, {} rows, up to {} on one box, one step from rest, μ = 0.6",
                            run.problem.body_count() - 1, run.problem.row_count(),
                            *std::max_element(run.rows_on_box.begin() + 1, run.rows_on_box.end())));
-  lesson.print("method               ω·eigenvalue    R_E after 20     sweeps to 1 %   × waits   = waits");
+  lesson.print("method               ω·eigenvalue    R_E after 20     sweeps to 1 %   × turns   = turns");
   const auto line = [&](const std::string& name, const PileHistory& history) {
     const bool in_turn = history.method == Method::sequential;
-    const int waits = waits_per_sweep(run, history);
+    const int turns = turns_per_sweep(run, history);
     const int needed = history.sweeps_needed;
     lesson.print(fmt::format("  {:<18} {:>13} {:>15.3g} {:>17} {:>9} {:>9}", name,
                              in_turn ? "" : fmt::format("{:.3f}", history.eigenvalue), history.residual[20],
-                             needed < 0 ? "never" : fmt::format("{}", needed), waits,
-                             needed < 0 ? "" : fmt::format("{}", needed * waits)));
+                             needed < 0 ? "never" : fmt::format("{}", needed), turns,
+                             needed < 0 ? "" : fmt::format("{}", needed * turns)));
   };
   for (const PileHistory& history : run.histories) {
     line(method_name(history.method, run.settings.omega), history);
   }
   line("SI, by colours", run.coloured);
-  const auto tuned = [&](const char* name, const TunedJacobi& jacobi, int waits) {
+  const auto tuned = [&](const char* name, const TunedJacobi& jacobi, int turns) {
     lesson.print(fmt::format("  {:<18} {:>47} {:>9} {:>9}", fmt::format("{}, ω = {:.3f}", name, jacobi.omega),
-                             jacobi.sweeps_needed, waits, jacobi.sweeps_needed * waits));
+                             jacobi.sweeps_needed, turns, jacobi.sweeps_needed * turns));
   };
   tuned("Jacobi, best", run.tuned, 1);
   tuned("momentum", run.with_momentum, 2);  // whose test for a restart adds up all rows
@@ -69,7 +69,7 @@ void print_pile(Lesson& lesson, const PileRun& run) {
   lesson.print(fmt::format(
       "On another processor: {:.0f} bytes of rows there and {:.0f} of velocities back, each step.",
       bytes_there, bytes_back));
-  lesson.print("A wait: for other rows, if each row had a processor of its own.");
+  lesson.print("A turn: rows that work at the same time, if each row has a processor of its own.");
   lesson.print();
   print_colours(lesson, run);
   lesson.print();
@@ -125,7 +125,7 @@ void check_pile(Lesson& lesson, const PileRun& run) {
       run.with_momentum.sweeps_needed > 0 && run.with_momentum.sweeps_needed < run.tuned.sweeps_needed,
       fmt::format("{} < {}", run.with_momentum.sweeps_needed, run.tuned.sweeps_needed));
   lesson.check_that(
-      "and fewer waits in all than SI by colours, twice as many a sweep",
+      "and fewer turns in all than SI by colours, twice as many a sweep",
       2 * run.with_momentum.sweeps_needed < run.coloured.sweeps_needed * run.colours,
       fmt::format("{} < {}", 2 * run.with_momentum.sweeps_needed, run.coloured.sweeps_needed * run.colours));
   lesson.check_that("split settles, in more sweeps than SI",
@@ -169,7 +169,7 @@ void check_library(Lesson& lesson, const FeetRun& run) {
 void check_colours(Lesson& lesson, const PileRun& run) {
   const int rows = run.problem.row_count() / run.contacts.contacts.size();  // of a contact
   lesson.check_small("contacts of one colour that share a box", clashes(run.problem, run.contacts), 0);
-  lesson.check_equal("waits of a sweep by colours: rows of a contact × colours", run.colours,
+  lesson.check_equal("turns of a sweep by colours: rows of a contact × colours", run.colours,
                      rows * run.contacts.count.size(), 0);
 }
 

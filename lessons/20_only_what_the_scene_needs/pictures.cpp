@@ -39,10 +39,28 @@ void draw_amounts(Page& page, const Rect& rect, std::string_view title, const Ne
   }
 }
 
-void draw_bill(Page& page, const Rect& rect, const NeedsRun& all, int step) {
-  List<double> updates;
-  for (const BillRun& run : all.runs) updates.push_back(static_cast<double>(run.steps[step - 1].updates));
-  draw_amounts(page, rect, "row updates of this step", all, updates, "");
+/// Each island rows wide and sweeps high, so that its area is its bill, in the outline of all sweeps.
+void draw_areas(Page& page, const Rect& rect, const NeedsRun& all, int step) {
+  const Rect inside = page.panel(rect, "area: rows (wide) × sweeps (high); outline: all sweeps");
+  const TextStyle text = aligned(page.label(), Align::center);
+  const List<StageBill>& stages = all.runs[by_islands].steps[step - 1].stages;
+  int rows = 0;
+  for (const StageBill& stage : stages) rows += stage.rows;
+  const double gap = page.canvas().text_width("chain 5000", text);
+  const double base = inside.y + inside.height - 1.5 * text.size;
+  const double wide = (inside.width - 3 * gap) / rows, high = (base - inside.y - 4) / all.settings.sweeps;
+  const FixedList<std::string, 3> names = {"pyramid", "tower", "chain"};
+  double left = inside.x + gap / 2;
+  for (int i = 0; i < names.size(); ++i) {
+    const double width = wide * stages[i].rows, height = high * stages[i].sweeps;
+    const double most = high * all.settings.sweeps;
+    page.canvas().rect({left, base - height, width, height}, {.fill = style_of(page, by_islands).color});
+    page.canvas().rect({left, base - most, width, most},
+                       {.outline = page.theme().outline, .outline_width = page.sizes().axis});
+    page.canvas().text({left + width / 2, base + 1.3 * text.size},
+                       fmt::format("{} {}", names[i], stages[i].rows * stages[i].sweeps), text);
+    left += width + gap;
+  }
 }
 
 /// The updates of all steps, in per cent of those of the run that leaves nothing out.
@@ -77,25 +95,35 @@ void draw_course(Page& page, const Rect& rect, const NeedsRun& all, int step) {
 void draw_step(Page& page, const NeedsRun& all, int step) {
   const List<Rect> parts = in_rows(page, {0.56, {0.44, {0.44, 0.56}}});
   draw_scene(page, parts[0], all,
-             {.title = "the run \"together\", its rows × sweeps; pale: asleep",
-              .run = all_free,
+             {.title = "exit by island: rows × sweeps of this step",
               .step = step,
-              .lines = swept_lines(all, all_free, step)});
-  draw_bill(page, parts[1], all, step);
+              .lines = swept_lines(all, by_islands, step)});
+  draw_areas(page, parts[1], all, step);
   draw_course(page, parts[2], all, step);
 }
 
 Shot step_shot(const NeedsRun& all, int step, bool key) {
   const StepBill& whole = all.runs[everything].steps[step - 1];
-  const StepBill& together = all.runs[all_free].steps[step - 1];
   const StepBill& alone = all.runs[by_islands].steps[step - 1];
-  return {.state = fmt::format("step {} · {} of {} bodies awake", step, together.awake, whole.awake),
-          .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball; {} bodies are awake. Row "
-                             "updates: {} with everything, {} if each island ends by itself, {} with all "
-                             "switches together.",
-                             step, together.awake, whole.updates, alone.updates, together.updates),
+  return {.state = fmt::format("step {} · {} of {} row updates", step, alone.updates, whole.updates),
+          .alt = fmt::format("Step {}: a pyramid, a tower, a chain and a ball. Row updates: {} with all "
+                             "sweeps, {} if each island ends by itself. An area for each island.",
+                             step, whole.updates, alone.updates),
           .draw = [&all, step](Page& page) { draw_step(page, all, step); },
           .key = key};
+}
+
+/// Asleep, and awake again, in the run with all switches but one.
+void draw_sleep(Page& page, const NeedsRun& all) {
+  const List<Rect> parts = in_rows(page, {0.5, 0.5});
+  for (int i = 0; i < parts.size(); ++i) {
+    const int step = all.touch + (i == 0 ? -2 : 2);
+    draw_scene(page, parts[i], all,
+               {.title = fmt::format("all switches but \"no friction\", step {}; pale: asleep", step),
+                .run = all_free,
+                .step = step,
+                .lines = swept_lines(all, all_free, step)});
+  }
 }
 
 /// What each switch saves, and how much farther off it leaves bodies before the ball hits.
@@ -180,6 +208,12 @@ List<Shot> needs_shots(const NeedsRun& all) {
         all, fmt::format("step {}, with and without friction", all.settings.steps),
         "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
         draw_ruin));
+  }
+  if (all.touch > 2 && all.touch + 2 <= all.settings.steps) {
+    shots.push_back(key_shot(all, fmt::format("the steps {} and {}", all.touch - 2, all.touch + 2),
+                             "The scene twice: the pyramid is asleep and has no rows; then the ball has "
+                             "touched it, and it is awake.",
+                             draw_sleep));
   }
   const auto draw_answer = [&all](Page& page, const Rect& rect) {
     const List<Rect> parts = in_rows(page, rect, {0.45, 0.55});
