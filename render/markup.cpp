@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 #include "render/variables.hpp"
 
@@ -24,16 +25,20 @@ struct Pen {
   int depth = 0;
 };
 
-/// Whether a letter in a script stands for a number or a quantity: "i", and not "rel".
+/// Whether a letter in a script stands for a number or a quantity: "i" and those of "ij", and none of "rel".
 bool is_index(std::string_view before, char32_t sign, std::string_view behind) {
+  constexpr std::string_view indices = "ijk";
   const auto is_letter = [](char32_t other) {
     return (other >= U'a' && other <= U'z') || (other >= U'A' && other <= U'Z') ||
            (other >= U'α' && other <= U'ω');
   };
-  const char after = behind.empty() ? ' ' : behind.front();
-  const char past = before.empty() ? ' ' : before.back();
-  return sign >= U'a' && is_letter(sign) && !is_letter(static_cast<unsigned char>(after)) &&
-         !is_letter(static_cast<unsigned char>(past));
+  const auto is_no_letter = [&](char other) { return !is_letter(static_cast<unsigned char>(other)); };
+  if (sign < U'a' || !is_letter(sign)) return false;
+  const std::string word =
+      std::string(std::find_if(before.rbegin(), before.rend(), is_no_letter).base(), before.end()) +
+      std::string(behind.begin(), std::find_if(behind.begin(), behind.end(), is_no_letter));
+  return word.empty() || (indices.find(static_cast<char>(sign)) != indices.npos &&
+                          word.find_first_not_of(indices) == word.npos);
 }
 
 class Setter {

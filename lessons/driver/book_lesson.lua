@@ -195,7 +195,7 @@ local function folded(html, answer)
 end
 
 function parts.places(more)
-  local result = { files = {}, has_playground = book.has_playground }
+  local result = { files = {}, has_playground = book.has_playground, is_for_print = book.is_for_print }
   for _, name in ipairs({ "pages", "symbols", "terms" }) do result[name] = book[name] end
   for name, value in pairs(more or {}) do result[name] = value end
   return result

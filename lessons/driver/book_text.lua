@@ -102,6 +102,8 @@ end
 
 local missing_playground = [[<p class="note">The playground would stand here: <code>bash lessons/run playground</code>
 makes it, and then <code>bash lessons/run book</code> puts it into the book.</p>]]
+local playground_on_screen = [[<p class="note">In the playground this scene moves:
+<code>bash lessons/run playground</code>.</p>]]
 local playground = [[<figure class="playground">
 <iframe src="playground.html{at}&amp;embed=1" title="Playground" loading="lazy"></iframe>
 <figcaption><a href="playground.html{at}">On a page of its own</a></figcaption>
@@ -114,7 +116,7 @@ local function paragraph(para, places)
   if only.t == "Math" then return pandoc.RawBlock("html", formula(only.text, places)) end
   if only.t ~= "Link" or only.target ~= "../playground/README.md" or only.title == "" then return nil end
   local html = places.has_playground and text.filled(playground, { at = text.escaped(only.title) })
-  return pandoc.RawBlock("html", html or missing_playground)
+  return pandoc.RawBlock("html", places.is_for_print and playground_on_screen or html or missing_playground)
 end
 
 -- Where a link leads in the book; nil for nowhere.

@@ -188,6 +188,7 @@ TEST_CASE("variables are slanted; words, names, units and numbers are upright") 
   for (const Line& line : std::initializer_list<Line>{
            {"v_{rel} of a box a", "v"},
            {"λ_{i} = 2 N", "λi"},
+           {"A_{ij} λ_{j} / A_{ii}, Σ_{j≠i}, x_{kin}", "AijλjAiijix"},
            {"R_{E}, Δt (s), step\\_1", "Rt"},
            {"5 mm, μs, Σ λ", "λ"},
            {"t (s)", "t"},

@@ -87,6 +87,7 @@ async function checkLink(tab) {
   const link = await copied(tab);
   check(/[#&]at=25(&|$)/.test(link), "a link holds the step", link);
   check(/others cannot open it/.test(await status(tab)), "of a file it says so", await status(tab));
+  check(await tab.locator("#book").isHidden(), "it leads to no book, which need not be there");
   await goTo(tab, new URL(link).hash);
   await tab.waitForFunction(() => cairn.numbers().steps === 25);
   check((await tab.evaluate(() => cairn.fingerprint())) === print, "and opens the same again");
@@ -110,6 +111,8 @@ async function checkPublished(tab) {
   check(link === "https://name.example/cairn/#scene=pyramid", "a link leads to where it is published", link);
   check(!/others cannot/.test(await status(tab)), "which others can open", await status(tab));
   check((await numbers(tab)).steps === 0, "at its start there is no step in it");
+  const book = await tab.getByRole("link", { name: "Book" }).getAttribute("href");
+  check(book === "https://name.example/cairn/book/index.html", "the book stands beside it", book);
 }
 
 export async function checkOwn(browser) {

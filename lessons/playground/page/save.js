@@ -47,6 +47,15 @@ function addressOf(app, at = 0) {
 const publicAddress = () =>
   location.protocol === "file:" ? (document.body.dataset.address ?? "") : location.href.replace(/#.*/, "");
 
+/** The book stands beside the published page. */
+function showBook() {
+  const address = document.body.dataset.address;
+  if (!address) return;
+  const book = find("book", HTMLAnchorElement);
+  book.href = `${address}book/index.html`;
+  book.hidden = false;
+}
+
 /** @param {App} app */
 async function copyLink(app) {
   const { steps, touched } = app.core.numbers();
@@ -88,6 +97,7 @@ function setUpAddress(app) {
 /** @param {App} app @param {boolean} isEmbedded then the address belongs to the lesson */
 export function setUpSaving(app, isEmbedded) {
   if (!isEmbedded) setUpAddress(app);
+  showBook();
   button("link").addEventListener("click", () => copyLink(app));
   button("picture").addEventListener("click", () => {
     app.core.draw(); // a browser forgets what it has shown
