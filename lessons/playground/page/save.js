@@ -24,7 +24,7 @@ async function copy(text) {
 
 /** @param {string} name @param {Blob} content */
 function download(name, content) {
-  const link = make("a", { href: URL.createObjectURL(content), download: name });
+  const link = make("a", { id: "book", href: URL.createObjectURL(content), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   say(`Saved ${name}.`);
@@ -47,13 +47,10 @@ function addressOf(app, at = 0) {
 const publicAddress = () =>
   location.protocol === "file:" ? (document.body.dataset.address ?? "") : location.href.replace(/#.*/, "");
 
-/** The book stands beside the published page. */
+/** The book stands beside a published page. */
 function showBook() {
   const address = document.body.dataset.address;
-  if (!address) return;
-  const book = find("book", HTMLAnchorElement);
-  book.href = `${address}book/index.html`;
-  book.hidden = false;
+  if (address) button("link").before(make("a", { href: `${address}book/index.html` }, "Book"));
 }
 
 /** @param {App} app */
