@@ -2,17 +2,18 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 
+#include <cairn/solvers/cycle_search.hpp>
+#include <cairn/solvers/rare_looks.hpp>
 #include <cairn/solvers/solver.hpp>
-#include <cairn/math/list.hpp>
 
 namespace cairn {
 
 /// After which sweeps R_E is computed, where there is a tolerance, and by whom.
 enum class Looks {
   always,  // after every sweep
-  rarely,  // for sweeps that cost less than R_E: the first, then where the changes of a sweep are small
-           // enough. The solver computes it, for it may have no rows, and its scale
+  rarely,  // as RareLooks says. The solver computes it, for it may have no rows, and its scale
 };
 
 /// How a solver wants its sweeps to be judged.
@@ -22,9 +23,7 @@ struct Judging {
 };
 
 /// Judges every sweep of one solve by the solver's settings:
-/// - tolerance: the residual R_E is at most this. O(m) a sweep; with Looks::rarely, a few times in a solve:
-///   R_E goes with the size of a sweep's steps. What it was, seen last, says at which size it is computed
-///   again, three sweeps and a 16th of all later at the soonest.
+/// - tolerance: the residual R_E is at most this. O(m) a sweep; with Looks::rarely, a few times in a solve.
 /// - stalled: for `patience` sweeps no impulse has changed by more than 16 roundings of the largest impulse.
 ///   Slow progress is no stall. O(m) a sweep.
 /// - plateau, where there is a patience: rows contradict each other, so that no impulse satisfies them all.
@@ -33,9 +32,8 @@ struct Judging {
 ///   ...; a problem that converges more slowly than that is called so too. O(m) for each look.
 /// - cycle: all impulses are, to the last bit, what they were after an earlier sweep, and have moved by more
 ///   than that in between; SolveReport::largest_change tells how far. Bodies much faster than their impulses
-///   can end in a small circle of roundings. One remembered state is compared, renewed after sweeps 1, 2, 4,
-///   8 ...: it finds a cycle of any length in memory for one (R. P. Brent, 1980). RowOrder::shuffled never
-///   repeats itself, so nothing is sought there.
+///   can end in a small circle of roundings (CycleSearch). RowOrder::shuffled never repeats itself, so
+///   nothing is sought there.
 /// - time: the time budget, from begin() on, is used up. The only rule that depends on the machine.
 /// Without tolerance, patience and time budget it costs nothing. Impulses that are not finite are never
 /// called stalled or cyclic.
@@ -62,12 +60,12 @@ class Stopping {
     return settings_.tolerance > 0 || (settings_.patience > 0 && looks_for_plateau(sweep));
   }
 
-  /// Whether judge() will look at impulses and velocities after this sweep, whose steps are of this size
-  /// [sqrt(J)]: the root of the sum of A_ii step^2. With Looks::rarely it must be asked before judge().
+  /// Whether judge() will look at impulses and velocities after this sweep, whose steps are of this size, as
+  /// RareLooks. With Looks::rarely it must be asked before judge().
   bool looks(int sweep, Real size) {
-    size_ = size;
-    looks_now_ = sweep >= next_look_ && !(size > look_below_);
-    return (settings_.tolerance > 0 && looks_now_) || settings_.patience > 0;
+    size_seen_.reset();
+    if (rare_looks_.are_due(sweep, size)) size_seen_ = size;
+    return (settings_.tolerance > 0 && size_seen_) || settings_.patience > 0;
   }
 
   /// Sweeps until the settings given to begin() say stop: "while not satisfied with global solution" of
@@ -86,7 +84,7 @@ class Stopping {
       report.stop = judge(problem, number, change);
     }
     report.converged = report.stop == Stop::tolerance;
-    const bool has_looked = how_.looks == Looks::always || looks_now_;
+    const bool has_looked = how_.looks == Looks::always || size_seen_;
     if (settings_.tolerance > 0 && has_looked && report.iterations > 0)
       report.residual = static_cast<double>(energy_);
     return report;
@@ -123,23 +121,18 @@ class Stopping {
   static bool looks_for_plateau(int sweep) { return sweep >= first_look && (sweep & (sweep - 1)) == 0; }
   bool has_arrived(const VelocityProblem<Real>& problem, int sweep);
   bool is_plateau(const VelocityProblem<Real>& problem, int sweep, Real largest_change);
-  bool repeats(const VelocityProblem<Real>& problem, int sweep);
 
   SolverSettings settings_;
   std::chrono::steady_clock::time_point began_ = {};  // where there is a time budget
   Real scale_ = 0;                                    // of R_E
   Real energy_ = 0;                                   // R_E, when last looked at
   Judging how_ = {};                                  // it is to judge
-  Real size_ = 0;                                     // [sqrt(J)] of the steps of the last sweep
-  Real look_below_ = 0;                               // [sqrt(J)] the size for which R_E is computed
-  int next_look_ = 0;                                 // no sweep before it
-  bool looks_now_ = false;                            // after this sweep
+  RareLooks<Real> rare_looks_;                        // where they are rare
+  std::optional<Real> size_seen_ = {};                // [sqrt(J)] of the last sweep, where it looks after it
   int quiet_sweeps_ = 0;                              // in a row, without a change above rounding
-  bool moved_ = false;                                // above rounding, since remembered_
   Real residual_before_ = 0;                          // R_E at half of the sweeps
   Real change_before_ = 0;                            // [N s] the largest change there
-  int remembered_sweep_ = 0;                          // a power of two
-  PerRow<Real> remembered_;                           // [N s] impulses after that sweep
+  CycleSearch<Real> cycles_;
 };
 
 }  // namespace cairn

@@ -16,17 +16,23 @@ bool strikes(const Contact<Real>& contact) {
   return contact.rigid[0] || (contact.manifold.count > 1 && contact.rigid[1]);
 }
 
+template <Scalar Real>
+List<char> movable_of(const Model<Real>& model) {
+  List<char> movable;
+  for (const Collider<Real>& collider : *model.colliders)
+    movable.push_back(model.scene->bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
+  return movable;
+}
+
 }  // namespace
 
 template <Scalar Real>
-ContactCache<Real>::ContactCache(List<Collider<Real>> colliders, const Scene& scene, const Plan& plan)
-    : colliders_(std::make_shared<const List<Collider<Real>>>(std::move(colliders))) {
-  for (const Collider<Real>& collider : *colliders_)
-    movable_.push_back(scene.bodies()[collider.body].spec.type == BodyType::dynamic ? 1 : 0);
-  graph_ = ContactGraph<Real>(plan.broadphase, movable_, plan.moves_manifolds);
-  frames_.resize(scene.bodies().size());
-  boxes_ = SweptBoxes<Real>(colliders_->size());
-}
+ContactCache<Real>::ContactCache(const Model<Real>& model)
+    : colliders_(model.colliders),
+      movable_(movable_of(model)),
+      graph_(model.plan->broadphase, movable_, model.plan->moves_manifolds),
+      frames_(model.scene->bodies().size()),
+      boxes_(colliders_->size()) {}
 
 template <Scalar Real>
 void ContactCache<Real>::find(const Substep<Real>& step, StepRecord<Real>& record) {

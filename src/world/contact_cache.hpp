@@ -5,8 +5,8 @@
 
 #include <cairn/constraints/row.hpp>
 #include <cairn/math/list.hpp>
-#include <cairn/world/collider.hpp>
 #include <cairn/world/contact_graph.hpp>
+#include <cairn/world/model.hpp>
 #include <cairn/world/one_way_sides.hpp>
 #include <cairn/world/rounds.hpp>
 #include <cairn/world/step_report.hpp>
@@ -20,11 +20,8 @@ namespace cairn {
 template <Scalar Real>
 class ContactCache {
  public:
-  /// Of the scene of a plan. No contact has given anything yet.
-  ContactCache(List<Collider<Real>> colliders, const Scene& scene, const Plan& plan);
-
-  /// The shapes.
-  const List<Collider<Real>>& colliders() const { return *colliders_; }
+  /// No contact has given anything yet.
+  explicit ContactCache(const Model<Real>& model);
 
   /// A step begins, or is not done: who came from which side is as it was when it began.
   void begin_step() { sides_.begin_step(); }
@@ -67,13 +64,13 @@ class ContactCache {
   CachedContact<Real> make_contact(const Substep<Real>& step, int collider_a, int collider_b) const;
 
   std::shared_ptr<const List<Collider<Real>>> colliders_;
+  List<char> movable_;  // of each collider: not of a pair where neither is
   ContactGraph<Real> graph_;
   OneWaySides sides_;     // empty where nothing is one-way
   List<int> candidates_;  // contacts with a manifold that moves with its bodies
   List<int> touching_;    // contacts of the contacts of the record
 
   // Scratch memory, kept so that a steady step allocates nothing.
-  List<char> movable_;           // of each collider: not of a pair where neither is
   PerBody<Frame<Real>> frames_;  // where contacts were sought
   PerBody<Vec3<Real>> going_;    // velocities, should nothing be in the way
   LookAhead<Real> outlook_;      // over the time for which contacts are sought

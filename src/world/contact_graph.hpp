@@ -50,8 +50,6 @@ struct NearPair {
 template <Scalar Real>
 class ContactGraph {
  public:
-  /// Of no shapes.
-  ContactGraph() = default;
   /// As NearPairs, with room for as many pairs as shapes. Contacts have cached manifolds only if asked for.
   ContactGraph(BroadphaseKind kind, const List<char>& movable, bool with_manifolds)
       : near_(kind, movable), keeps_manifolds_(with_manifolds) {

@@ -12,11 +12,18 @@ namespace {
 // in rounding.
 constexpr double still_way = 1e-9;
 
+template <Scalar Real>
+std::shared_ptr<const PerBody<Real>> radii_of(const Model<Real>& model) {
+  PerBody<Real> radius;
+  for (const BodyId body : model.scene->bodies().indices()) radius.push_back((*model.kinds)[body].radius);
+  return std::make_shared<const PerBody<Real>>(std::move(radius));
+}
+
 }  // namespace
 
 template <Scalar Real>
-JointWriter<Real>::JointWriter(int joints, PerBody<Real> radius)
-    : radius_(std::make_shared<const PerBody<Real>>(std::move(radius))), impulses_(joints + 1) {}
+JointWriter<Real>::JointWriter(const Model<Real>& model)
+    : radius_(radii_of(model)), impulses_(model.scene->joints().size() + 1) {}
 
 template <Scalar Real>
 void JointWriter<Real>::add_stiffness(const Substep<Real>& step, ForcesOf when,

@@ -5,6 +5,7 @@
 
 #include <cairn/constraints/problem_rows.hpp>
 #include <cairn/math/list.hpp>
+#include <cairn/world/model.hpp>
 #include <cairn/world/row_impulses.hpp>
 #include <cairn/world/substep.hpp>
 
@@ -14,10 +15,8 @@ namespace cairn {
 template <Scalar Real>
 class JointWriter {
  public:
-  /// Of no world yet.
-  JointWriter() = default;
-  /// Of so many joints, which gave nothing yet, of bodies with circles of these radii around them [m].
-  JointWriter(int joints, PerBody<Real> radius);
+  /// No joint has given anything yet.
+  explicit JointWriter(const Model<Real>& model);
 
   /// Adds the geometric stiffness of all joints that are awake [N/m, N/m, N m/rad], under the forces that
   /// they gave, or that they have in the problem. `forces` is scratch.
@@ -43,8 +42,8 @@ class JointWriter {
 
   void look_along_arcs(const Substep<Real>& step);
 
-  std::shared_ptr<const PerBody<Real>> radius_;
-  List<Impulses> impulses_;  // of each joint; the last ones are those of the hand
+  std::shared_ptr<const PerBody<Real>> radius_;  // [m] BodyTraits::radius
+  List<Impulses> impulses_;                      // of each joint; the last ones are those of the hand
 
   // Scratch memory, kept so that a steady step allocates nothing.
   PerBody<KnownRotation<Real>> rotations_;        // of bodies that joints hold

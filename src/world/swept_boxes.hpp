@@ -12,8 +12,6 @@ namespace cairn {
 template <Scalar Real>
 class SweptBoxes {
  public:
-  /// Of no shapes.
-  SweptBoxes() = default;
   /// Of so many shapes.
   explicit SweptBoxes(int shapes) : boxes_(shapes), swept_(shapes), sweeps_(shapes), speeds_(shapes) {}
 

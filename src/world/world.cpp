@@ -39,6 +39,14 @@ bool is_too_deep(const Contact<Real>& contact, const BodyKinds<Real>& kinds) {
                      [most](const ManifoldPoint<Real>& point) { return point.separation < -most; });
 }
 
+/// Bodies on paths go where these lead, and what forces begin to act on wakes.
+template <Scalar Real>
+void follow(const Substep<Real>& step, BodyState<Real>& state) {
+  if (!step.acting) return;
+  step.acting->lead(step.when, state);
+  if (step.sleep) step.acting->find_changes(step.when, [&](BodyId body) { step.sleep->wake(body); });
+}
+
 }  // namespace
 
 /// Events are done to another world, which takes the place of this one once its step is done.
@@ -63,13 +71,13 @@ StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& w
   StepReport report;
   begin_step();
   try {
-    for (int i = 0; i < plan_->settings.substeps && !report.not_finite; ++i)
+    for (int i = 0; i < model_.plan->settings.substeps && !report.not_finite; ++i)
       substep(i, solver, watch, report);
   } catch (...) {
     leave_step();
     throw;
   }
-  report.awake.bodies = plan_->size.dynamic_bodies;
+  report.awake.bodies = model_.plan->size.dynamic_bodies;
   if (sleep_) {
     if (!report.not_finite) sleep_->let_sleep(record_.problem.contacts, clock_.dt, state_);
     report.awake = sleep_->count();
@@ -80,7 +88,7 @@ StepReport World<Real>::take_step(Solver<Real>& solver, const StepWatch<Real>& w
   report.rows = record_.is_new.size();
   for (const Contact<Real>& contact : record_.problem.contacts) {
     report.contacts += contact.manifold.count;
-    report.too_deep += is_too_deep(contact, *kinds_);
+    report.too_deep += is_too_deep(contact, *model_.kinds);
   }
   return report;
 }
@@ -89,9 +97,9 @@ template <Scalar Real>
 void World<Real>::substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch,
                           StepReport& report) {
   Deadline::go_on();
-  const Substep<Real> step = now_asleep(number);
-  if (acting_) follow(step.when);
-  if (number == 0 || !plan_->moves_manifolds) {
+  const Substep<Real> step = now(number);
+  follow(step, state_);
+  if (number == 0 || !step.plan.moves_manifolds) {
     contacts_.find(step, record_);  // 1, 2  poses -> pairs -> contacts
   } else {
     contacts_.move(step, record_);  //       or those of the step, where they are now
@@ -103,13 +111,24 @@ void World<Real>::substep(int number, Solver<Real>& solver, const StepWatch<Real
   const PerBody<Vec3<Real>>& staying = record_.problem.velocity;
   report.not_finite = first_not_finite(state_, going, staying, step.dt);
   if (report.not_finite) return;  // nothing has moved, and the impulses remembered are those of before
-  if (plan_->watches()) watch_.see(step, record_);
+  if (step.plan.watches()) watch_.see(step, record_);
   state_.velocity = going;
   integrate_positions(state_, step.dt);  // 6  with the new velocities: semi-implicit Euler
   state_.velocity = staying;
   joints_.remember(step, record_.problem);  // 7
-  contacts_.remember(*plan_, record_);
+  contacts_.remember(step.plan, record_);
   if (watch.impulses) watch.impulses->add(record_);
+}
+
+template <Scalar Real>
+VelocityProblem<Real> World<Real>::velocity_problem() const {
+  World twin = *this;
+  do_events(twin);
+  const Substep<Real> step = twin.now();
+  follow(step, twin.state_);
+  twin.contacts_.find(step, twin.record_);
+  twin.solves_.write({step, twin.joints_, twin.contacts_, twin.record_});
+  return twin.record_.problem;
 }
 
 template class World<float>;

@@ -2,19 +2,17 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include <cairn/solvers/solver.hpp>
-#include <cairn/world/body_kinds.hpp>
 #include <cairn/world/clock.hpp>
 #include <cairn/world/contact_cache.hpp>
 #include <cairn/world/event_watch.hpp>
 #include <cairn/world/hand.hpp>
 #include <cairn/world/joint_writer.hpp>
+#include <cairn/world/model.hpp>
 #include <cairn/world/occupation.hpp>
-#include <cairn/world/plan.hpp>
 #include <cairn/world/scene.hpp>
 #include <cairn/world/sleeping.hpp>
 #include <cairn/world/snapshot.hpp>
@@ -102,7 +100,7 @@ class World {
   /// Poses and velocities now.
   const BodyState<Real>& bodies() const { return state_; }
   /// What it was made from.
-  const Scene& scene() const { return *scene_; }
+  const Scene& scene() const { return *model_.scene; }
   /// What the last step saw; empty before the first.
   const StepRecord<Real>& last_step() const { return record_; }
   /// The time now, the steps that were taken, and the length of the next one.
@@ -114,20 +112,13 @@ class World {
   StepReport take_step(Solver<Real>& solver, const StepWatch<Real>& watch);
   void begin_step();
   void leave_step();
-  bool may_leave_midway() const;
-  void follow(SubstepTime time);
   void end_step();
   void substep(int number, Solver<Real>& solver, const StepWatch<Real>& watch, StepReport& report);
-  Substep<Real> now(int number = 0) const;
-  Substep<Real> now_asleep(int number = 0);
+  Substep<Real> now(int number = 0);
   void carry_over(const World& before, const Scene& then);
-  void carry_sleep(const World& before, const Scene& then);
 
   Occupation occupation_;  // the first: whoever must not assign has assigned nothing
-  std::shared_ptr<const Scene> scene_;
-  std::shared_ptr<const Plan> plan_;
-  std::shared_ptr<const BodyKinds<Real>> kinds_;
-  std::shared_ptr<const Acting<Real>> acting_;  // null: nothing else acts on bodies
+  Model<Real> model_;
   BodyState<Real> state_;
   ContactCache<Real> contacts_;
   JointWriter<Real> joints_;

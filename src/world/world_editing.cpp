@@ -45,25 +45,61 @@ std::optional<double> due_time(const Scene& scene, const Clock& clock) {
   return {};
 }
 
+/// The scene with its bodies standing and moving as they do now.
+template <Scalar Real>
+Scene as_it_stands(Scene scene, const BodyState<Real>& state) {
+  for (const BodyId body : state.pose.indices()) {
+    const SceneBody& known = scene.bodies()[body];
+    if (known.spec.type == BodyType::static_body) continue;
+    const Pose<Real>& pose = state.pose[body];
+    scene.place(body, {pose.position.template cast<double>(), static_cast<double>(pose.angle)},
+                state.velocity[body].template cast<double>());
+  }
+  return scene;
+}
+
+/// After a change of the scene `was`, wakes what has changed, and what touched it or was held by it.
+template <Scalar Real>
+void wake_changed(const Scene& was, const Scene& is, const ContactCache<Real>& contacts,
+                  SleepState<Real>& sleep) {
+  if (!(is.settings() == was.settings())) {
+    for (const BodyId body : was.bodies().indices()) sleep.wake(body);
+    return;
+  }
+  const auto has_changed = [&](BodyId body) {
+    const SceneBody &before = was.bodies()[body], &now = is.bodies()[body];
+    return !(before.spec == now.spec && same_place(before, now));
+  };
+  for (const BodyId body : was.bodies().indices()) {
+    if (has_changed(body)) sleep.wake(body);
+  }
+  contacts.for_each_touch([&](BodyId a, BodyId b) {
+    if (has_changed(a)) sleep.wake(b);
+    if (has_changed(b)) sleep.wake(a);
+  });
+  const auto wake_ends = [&](const SceneJoints& joints, const SceneJoints& others) {
+    for (int i = 0; i < joints.size(); ++i) {
+      const std::optional<int> k = others.number_of(joints.id(i));
+      if (k && others[*k] == joints[i] && others.hold(*k) == joints.hold(i)) continue;
+      for (const Attachment& end : joints[i]->attachments()) sleep.wake(end.body);
+    }
+  };
+  wake_ends(was.joints(), is.joints());
+  wake_ends(is.joints(), was.joints());
+}
+
 }  // namespace
 
 /// This world as it would go on after a change of its scene.
 template <Scalar Real>
 World<Real> World<Real>::after(const std::function<void(Scene&)>& change) {
-  Scene then = *scene_;
-  for (const BodyId body : state_.pose.indices()) {
-    const SceneBody& known = then.bodies()[body];
-    if (known.spec.type == BodyType::static_body) continue;
-    const Pose<Real>& pose = state_.pose[body];
-    then.place(body, {pose.position.template cast<double>(), static_cast<double>(pose.angle)},
-               state_.velocity[body].template cast<double>());
-  }
+  const Scene then = as_it_stands(*model_.scene, state_);
   Scene edited = then;
   {
     const Occupation::Scope scope(occupation_, "World::edit");
     change(edited);
   }
-  if (!scene_) throw std::logic_error("World::edit: its world must not be moved away from within");
+  if (!model_.scene) throw std::logic_error("World::edit: its world must not be moved away from within");
   World next(std::move(edited));
   next.carry_over(*this, then);
   return next;
@@ -78,7 +114,7 @@ void World<Real>::edit(const std::function<void(Scene&)>& change) {
 /// This world as it would go on after the events that are due; none where none is.
 template <Scalar Real>
 std::optional<World<Real>> World<Real>::after_events() {
-  const std::optional<double> until = due_time(*scene_, clock_);
+  const std::optional<double> until = due_time(*model_.scene, clock_);
   if (!until) return {};
   return after([until](Scene& scene) { scene.do_events(*until); });
 }
@@ -93,49 +129,21 @@ bool do_events(World<Real>& world) {
 /// Takes over what `before`, whose scene was `then`, has that the scene of this world left alone.
 template <Scalar Real>
 void World<Real>::carry_over(const World& before, const Scene& then) {
-  const bool keeps_dt = scene_->settings().dt == then.settings().dt;
+  const bool keeps_dt = model_.scene->settings().dt == then.settings().dt;
   clock_ = {before.clock_.time, before.clock_.steps, keeps_dt ? before.clock_.dt : clock_.dt};
   for (const BodyId body : then.bodies().indices()) {
-    const SceneBody &was = then.bodies()[body], &is = scene_->bodies()[body];
+    const SceneBody &was = then.bodies()[body], &is = model_.scene->bodies()[body];
     if (is.removed) continue;
     if (same_place(was, is)) state_.pose[body] = before.state_.pose[body];
     if (same_motion(was, is)) state_.velocity[body] = before.state_.velocity[body];
   }
-  hand_ = before.hand_.in(*scene_);
-  watch_ = before.watch_.in(*scene_);
+  hand_ = before.hand_.in(*model_.scene);
+  watch_ = before.watch_.in(*model_.scene);
   joints_.carry_over(before.joints_, then, now());
-  contacts_.carry_over(before.contacts_, numbers_now(*before.scene_, *scene_), now());
-  if (sleep_ && before.sleep_) carry_sleep(before, then);
-}
-
-/// Everything sleeps on but for what has changed, and what touched it or was held by it.
-template <Scalar Real>
-void World<Real>::carry_sleep(const World& before, const Scene& then) {
+  contacts_.carry_over(before.contacts_, numbers_now(*before.model_.scene, *model_.scene), now());
+  if (!sleep_ || !before.sleep_) return;
   sleep_->carry_over(*before.sleep_);
-  if (!(scene_->settings() == then.settings())) {
-    for (const BodyId body : then.bodies().indices()) sleep_->wake(body);
-    return;
-  }
-  const auto has_changed = [&](BodyId body) {
-    const SceneBody &was = then.bodies()[body], &is = scene_->bodies()[body];
-    return !(was.spec == is.spec && same_place(was, is));
-  };
-  for (const BodyId body : then.bodies().indices()) {
-    if (has_changed(body)) sleep_->wake(body);
-  }
-  before.contacts_.for_each_touch([&](BodyId a, BodyId b) {
-    if (has_changed(a)) sleep_->wake(b);
-    if (has_changed(b)) sleep_->wake(a);
-  });
-  const auto wake_ends = [&](const SceneJoints& joints, const SceneJoints& others) {
-    for (int i = 0; i < joints.size(); ++i) {
-      const std::optional<int> k = others.number_of(joints.id(i));
-      if (k && others[*k] == joints[i] && others.hold(*k) == joints.hold(i)) continue;
-      for (const Attachment& end : joints[i]->attachments()) sleep_->wake(end.body);
-    }
-  };
-  wake_ends(then.joints(), scene_->joints());
-  wake_ends(scene_->joints(), then.joints());
+  wake_changed(then, *model_.scene, before.contacts_, *sleep_);
 }
 
 template <Scalar Real>
@@ -146,7 +154,7 @@ void World<Real>::move_hand(const HandInput& input) {
     for (const Pose<Real>& pose : state_.pose)
       poses.push_back({pose.position.template cast<double>(), static_cast<double>(pose.angle)});
   }
-  hand_.move(input, clock_.steps, *scene_, poses);
+  hand_.move(input, clock_.steps, *model_.scene, poses);
   if (input.kind == HandInput::Kind::grab) joints_.forget_hand();
 }
 

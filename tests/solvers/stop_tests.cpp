@@ -162,6 +162,26 @@ TEST_CASE("an up-sweep and a down-sweep with the same outcome are no cycle, and 
   }
 }
 
+TEST_CASE("impulses that stay are no cycle, nor are those that come back in a sweep of another kind") {
+  CycleSearch<double> cycles;
+  cycles.begin(1, 2);
+  CHECK_FALSE(cycles.comes_back({1}, 1, true));
+  CHECK_FALSE(cycles.comes_back({2}, 2, true));  // remembered
+  CHECK_FALSE(cycles.comes_back({2}, 3, true));  // a sweep of the other kind
+  CHECK(cycles.comes_back({2}, 4, false));       // two sweeps later, and they moved in sweep 3
+  cycles.begin(1, 1);
+  for (int sweep = 1; sweep < 10; ++sweep) CHECK_FALSE(cycles.comes_back({2}, sweep, false));
+}
+
+TEST_CASE("rare looks come where the steps are as much smaller as R_E was too large, and some sweeps later") {
+  RareLooks<double> looks;
+  CHECK(looks.are_due(1, 1e9));
+  looks.note(32, 8, 1e-2, 1e-3);                           // ten times too large
+  CHECK(looks.are_due(32 + 3 + 2, 1.25 * 8 / 10 * 0.99));  // a tenth of the size, and a quarter more
+  CHECK_FALSE(looks.are_due(32 + 3 + 2, 1.25 * 8 / 10 * 1.01));
+  CHECK_FALSE(looks.are_due(32 + 3 + 1, 0));
+}
+
 TEST_CASE("impulses that are not numbers are neither a standstill nor a cycle") {
   for (const SolverMaker<double>& make : paper_solvers<double>()) {
     VelocityProblem<double> problem = hand_made_stack<double>(2, 10, 0.02);

@@ -127,14 +127,18 @@ void IslandNewton::note_center() {
   rows_.copy_impulses(center_.x(), best_.impulse);
 }
 
+void IslandNewton::go_to(const PerRow<double>& impulse) {
+  center_.go_to(rows_, impulse);
+  note_center();
+}
+
 /// The best impulses so far after some sweeps: what Newton's method finds easier to begin with.
 void IslandNewton::sweep(const VelocityProblem<double>& problem, int sweeps) {
   swept_ = problem;
   swept_.impulse = best_.impulse;
   AcceleratedProjectedGaussSeidel<double>({.iterations = sweeps}).solve(swept_);
   done_.extra_sweeps += sweeps;
-  center_.go_to(rows_, swept_.impulse);
-  note_center();
+  go_to(swept_.impulse);
 }
 
 double IslandNewton::residual() const {
@@ -159,12 +163,9 @@ void IslandNewton::approach(const VelocityProblem<double>& problem) {
     const bool is_solved = solve_softened(failures == 0 ? 1 : settings_.iterations);
     center_.go_to(rows_, map_.x(), map_.response());
     note_center();
-    // Too stiff, or softer than need be: the next solve heeds it.
-    if (failures == 0 && !is_solved && softness < cold_softness)
-      caution_ = std::min(softness_step * caution_, most_caution);
     if (is_solved) {
       if (best_.residual <= good_progress * before) continue;
-      caution_ = std::max(caution_ / softness_step, 1.0);
+      caution_ = std::max(caution_ / softness_step, 1.0);  // it may have been softer than need be
       go_on();
       if (best_.residual <= good_progress * before) continue;
       const bool stands_still = !(best_.residual <= least_progress * before);
@@ -173,6 +174,8 @@ void IslandNewton::approach(const VelocityProblem<double>& problem) {
       softness = std::max(softness / softness_step, stiffest);
       continue;
     }
+    if (failures == 0 && softness < cold_softness)  // it was too stiff
+      caution_ = std::min(softness_step * caution_, most_caution);
     if (best_.residual <= enough()) break;
     // What was found is kept where it is nearer. Where the interior does not lead there, and after many
     // failures, sweeps do.
@@ -184,8 +187,7 @@ void IslandNewton::approach(const VelocityProblem<double>& problem) {
         softness = cold_softness;
       }
     } else {
-      center_.go_to(rows_, best_.impulse);
-      note_center();
+      go_to(best_.impulse);
       softness = std::min(softness * softness_step, softest);
     }
     failures += 1;
@@ -198,8 +200,7 @@ void IslandNewton::go_on() {
   center_.go_on(rows_, [this](int i) { return map_.is_held(i); });
   note_center();
   if (residual() == best_.residual) return;
-  center_.go_to(rows_, best_.impulse);
-  note_center();
+  go_to(best_.impulse);
 }
 
 /// Seeks du with F(du) = 0 around the centre; the last evaluation is the answer.

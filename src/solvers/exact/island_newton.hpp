@@ -82,6 +82,7 @@ class IslandNewton {
   double take_interior_step();
   NewtonSteps<double>::Place at() { return {rows_, center_, map_}; }
   void note_center();
+  void go_to(const PerRow<double>& impulse);
   bool last_is_answer();
 
   SolverSettings settings_;

@@ -24,8 +24,7 @@ constexpr int most_idle = 3;
 void IslandNewton::follow_interior() {
   double factor = 1;
   for (int attempt = 0; attempt < most_attempts; ++attempt, factor *= 10) {
-    center_.go_to(rows_, best_.impulse);
-    note_center();
+    go_to(best_.impulse);
     const double distance = first_distance * factor * center_.error_of_a_row();
     if (!interior_.begin(rows_, center_, distance)) return;
     double share = 1;
@@ -60,8 +59,7 @@ double IslandNewton::take_interior_step() {
   interior_.go(rows_, share);
   PerRow<double> inside;
   rows_.copy_impulses(interior_.x(), inside);
-  center_.go_to(rows_, inside);
-  note_center();
+  go_to(inside);
   return share;
 }
 

@@ -7,10 +7,20 @@
 
 namespace cairn {
 
+void LaneSingles::clear() {
+  blocks.clear();
+  rows.clear();
+  contacts.clear();
+}
+
+void LaneSingles::add(int number, const LaneBlock& block) {
+  blocks.push_back(number);
+  for (int i = 0; i < block.rows; ++i) rows.push_back(block.first_row + i);
+}
+
 std::size_t LaneBatches::bytes() const {
   return blocks_.bytes() + moves_.bytes() + batches_.bytes() + colours_.bytes() + kinds_.bytes() +
-         single_blocks_.bytes() + single_rows_.bytes() + single_contacts_.bytes() + in_lane_.bytes() +
-         colouring_.bytes();
+         singles_.bytes() + in_lane_.bytes() + colouring_.bytes();
 }
 
 /// Who leans on a row of another block reads its impulse in the problem: neither lies in a lane.
@@ -30,9 +40,7 @@ void LaneBatches::make_batches() {
   batches_.clear();
   colours_.clear();
   kinds_.clear();
-  single_blocks_.clear();
-  single_rows_.clear();
-  single_contacts_.clear();
+  singles_.clear();
   counts_ = {};
   in_lane_.assign(blocks_.size(), 0);
   int first = 0;
@@ -55,9 +63,8 @@ void LaneBatches::make_batches() {
   }
   for (int k = 0; k < blocks_.size(); ++k) {
     if (in_lane_[k] != 0) continue;
-    single_blocks_.push_back(k);
-    if (of_contacts_ && k >= joints_) single_contacts_.push_back(k - joints_);
-    for (int i = 0; i < blocks_[k].rows; ++i) single_rows_.push_back(blocks_[k].first_row + i);
+    singles_.add(k, blocks_[k]);
+    if (of_contacts_ && k >= joints_) singles_.contacts.push_back(k - joints_);
   }
 }
 

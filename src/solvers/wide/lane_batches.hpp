@@ -29,6 +29,20 @@ struct LaneCounts {
   int contact_batches = 0;  // batches of contacts without rows
 };
 
+/// What goes one by one, block by block.
+struct LaneSingles {
+  List<int> blocks = {};    // of the problem
+  List<int> rows = {};      // of these blocks, written or not
+  List<int> contacts = {};  // without rows, of these blocks
+
+  /// Nothing does.
+  void clear();
+  /// A block of the problem does, with its rows.
+  void add(int number, const LaneBlock& block);
+  /// What it takes up [bytes].
+  std::size_t bytes() const { return blocks.bytes() + rows.bytes() + contacts.bytes(); }
+};
+
 /// Blocks in colours (LaneColouring): those of one are solved at the same time where they have rows of the
 /// same kinds. Rows go one by one if their block has more than two bodies, more than 6 rows, a disc of
 /// friction or friction that leans on another block; or if it finds no colour, or nobody of its colour and
@@ -57,10 +71,8 @@ class LaneBatches {
   const List<int>& colours() const { return colours_; }
   /// Of the rows of all batches.
   const List<LaneKind>& kinds() const { return kinds_; }
-  /// The rows of the problem that go one by one, block by block, written or not.
-  const List<int>& single_rows() const { return single_rows_; }
-  /// The contacts without rows that these are of.
-  const List<int>& single_contacts() const { return single_contacts_; }
+  /// What lies in no lane.
+  const LaneSingles& singles() const { return singles_; }
   /// Of all batches.
   const LaneCounts& counts() const { return counts_; }
   /// What it takes up [bytes].
@@ -90,9 +102,7 @@ class LaneBatches {
   List<LaneBatch> batches_;
   List<int> colours_;
   List<LaneKind> kinds_;
-  List<int> single_blocks_;
-  List<int> single_rows_;
-  List<int> single_contacts_;
+  LaneSingles singles_;
   LaneCounts counts_;
   List<int> leant_on_before_;  // scratch
   List<char> in_lane_;         // scratch, for each block

@@ -27,8 +27,8 @@ Real LaneSystem<Real>::sweep_once(VelocityProblem<Real>& problem, int number, So
     if (observer == nullptr) return;
     observer->after_row({number, i, jv, mass > 0 ? 1 / mass : Real(0), corrective, old, now}, problem);
   };
-  for (int k = 0; k < batches_.single_rows().size(); ++k)
-    update(batches_.single_rows()[k], single_row(problem, k));
+  for (int k = 0; k < batches_.singles().rows.size(); ++k)
+    update(batches_.singles().rows[k], single_row(problem, k));
   for_each_run(
       [&](const LaneBatch& batch) {
         for (int lane = 0; lane < batch.used; ++lane) {
@@ -48,7 +48,7 @@ LaneSteps<Real> LaneSystem<Real>::gather_momentum(VelocityProblem<Real>& problem
   before_.bodies = bodies_;
   before_.momentum = momentum;
   if (momentum > 0) return pass<LanePass::momentum>(problem);
-  before_.remember(rows_, batches_.single_rows(), problem.impulse);
+  before_.remember(rows_, batches_.singles().rows, problem.impulse);
   return {};
 }
 
@@ -62,7 +62,7 @@ void LaneSystem<Real>::take_again(VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::undo(VelocityProblem<Real>& problem) {
   bodies_ = before_.bodies;
-  before_.give_back(rows_, batches_.single_rows(), problem.impulse);
+  before_.give_back(rows_, batches_.singles().rows, problem.impulse);
 }
 
 /// Colour by colour: batches of one share no body that can move.
@@ -121,7 +121,7 @@ LaneSteps<Real> LaneSystem<Real>::pass_single_rows(VelocityProblem<Real>& proble
                                                    SolveObserver<Real>* watcher) {
   LaneSteps<Real> steps;
   for (int k = 0; k < single_.mass.size(); ++k) {
-    const int i = batches_.single_rows()[k];
+    const int i = batches_.singles().rows[k];
     const ConstraintRow<Real>& row = single_row(problem, k);
     const Real jv = single_row_velocity(problem, row), old = problem.impulse[i];
     const Real wanted = (row.bias - jv - row.softness * old) * single_.mass[k];
@@ -201,8 +201,8 @@ Real LaneSystem<Real>::energy(const VelocityProblem<Real>& problem, LaneEnergy k
                                         : correction_energy(problem, row, problem.impulse[i]);
   };
   Real sum = 0;
-  for (int k = 0; k < batches_.single_rows().size(); ++k)
-    sum += of_row(batches_.single_rows()[k], single_row(problem, k));
+  for (int k = 0; k < batches_.singles().rows.size(); ++k)
+    sum += of_row(batches_.singles().rows[k], single_row(problem, k));
   Real squares[lane_count] = {};
   for_each_run(
       [&](const LaneBatch& batch) {

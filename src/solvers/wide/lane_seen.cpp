@@ -42,7 +42,7 @@ bool LaneBatches::may_be_same(const VelocityProblem<Real>& problem) {
   if (sees_other_bodies(problem) || of_contacts_ || !has_same_blocks(problem)) return false;
   leant_on_before_.swap(leant_on_);
   leant_on_.clear();
-  for (const int k : single_blocks_) {
+  for (const int k : singles_.blocks) {
     if (seen(problem, problem.blocks[k]) != blocks_[k]) return false;
   }
   return leant_on_ == leant_on_before_;

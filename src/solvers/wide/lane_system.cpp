@@ -53,7 +53,7 @@ template <Scalar Real>
 void LaneSystem<Real>::write_single_contacts(VelocityProblem<Real>& problem) {
   single_.contact_rows.clear();
   const int first = problem.row_count();
-  for (const int k : batches_.single_contacts()) {
+  for (const int k : batches_.singles().contacts) {
     int next = first;
     write_contact_rows(problem.contacts[k], problem, next);
     for (int i = first; i < next; ++i) {
@@ -67,7 +67,7 @@ void LaneSystem<Real>::write_single_contacts(VelocityProblem<Real>& problem) {
 /// False where a lane is not made for its row any more: velocities are of no use then.
 template <Scalar Real>
 bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
-  for (const int i : batches_.single_rows()) apply_impulse(problem, problem.rows[i], problem.impulse[i]);
+  for (const int i : batches_.singles().rows) apply_impulse(problem, problem.rows[i], problem.impulse[i]);
   for (const LaneBatch& batch : batches_.batches()) {
     for (int lane = 0; lane < batch.used; ++lane) {
       for (int r = 0; r < batch.rows; ++r) {
@@ -84,8 +84,8 @@ bool LaneSystem<Real>::push_rows(VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::push(VelocityProblem<Real>& problem) {
   from_.velocity = problem.velocity;
-  for (int k = 0; k < batches_.single_rows().size(); ++k)
-    apply_impulse(problem, single_row(problem, k), problem.impulse[batches_.single_rows()[k]]);
+  for (int k = 0; k < batches_.singles().rows.size(); ++k)
+    apply_impulse(problem, single_row(problem, k), problem.impulse[batches_.singles().rows[k]]);
   for_each_run(
       [&](const LaneBatch& batch) {
         for (int lane = 0; lane < batch.used; ++lane) {
@@ -151,7 +151,7 @@ bool LaneSystem<Real>::take_masses(const VelocityProblem<Real>& problem) {
 template <Scalar Real>
 void LaneSystem<Real>::take_single_rows(const VelocityProblem<Real>& problem) {
   single_.mass.clear();
-  for (int k = 0; k < batches_.single_rows().size(); ++k)
+  for (int k = 0; k < batches_.singles().rows.size(); ++k)
     single_.mass.push_back(effective_mass(problem, single_row(problem, k)));
 }
 
@@ -218,8 +218,8 @@ void LaneSystem<Real>::write_back(VelocityProblem<Real>& problem) {
 
 template <Scalar Real>
 void LaneSystem<Real>::empty_single_rows(VelocityProblem<Real>& problem) const {
-  for (int k = 0; k < batches_.single_rows().size(); ++k) {
-    const int i = batches_.single_rows()[k];
+  for (int k = 0; k < batches_.singles().rows.size(); ++k) {
+    const int i = batches_.singles().rows[k];
     apply_impulse(problem, single_row(problem, k), problem.impulse[i] - from_.impulse[i]);
   }
 }

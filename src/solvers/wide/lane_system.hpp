@@ -136,8 +136,8 @@ class LaneSystem {
 /// The k-th of those that go one by one: contacts come last.
 template <Scalar Real>
 const ConstraintRow<Real>& LaneSystem<Real>::single_row(const VelocityProblem<Real>& problem, int k) const {
-  const int of_contacts = k - (batches_.single_rows().size() - single_.contact_rows.size());
-  return of_contacts < 0 ? problem.rows[batches_.single_rows()[k]] : single_.contact_rows[of_contacts];
+  const int of_contacts = k - (batches_.singles().rows.size() - single_.contact_rows.size());
+  return of_contacts < 0 ? problem.rows[batches_.singles().rows[k]] : single_.contact_rows[of_contacts];
 }
 
 /// Calls of_rows(batch) for a batch whose blocks have rows and of_contacts(run) for batches of contacts

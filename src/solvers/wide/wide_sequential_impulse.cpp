@@ -26,8 +26,7 @@ SolveReport WideSequentialImpulse<Real>::solve(VelocityProblem<Real>& problem,
       return lanes_.sweep_once(problem, number, watcher);
     });
   }
-  const bool measures = settings_.tolerance > 0 || settings_.patience > 0;
-  if (measures) stopping_.take_scale(lanes_.residual_scale(problem));
+  if (settings_.tolerance > 0 || settings_.patience > 0) stopping_.take_scale(lanes_.residual_scale(problem));
   lanes_.take(problem);
   path_ = 0;
   k_ = 1;
