@@ -225,7 +225,7 @@ void draw_asked(Page& page, const Camera& camera, const Rod& rod, bool answered)
     draw_arc(page, camera,
              {.center = rod.pose.position,
               .radius = 0.95,
-              .middle = -1.95,
+              .middle = v.z() > 0 ? 1.7 : -1.95,
               .sign = v.z() > 0 ? 1.0 : -1.0,
               .label = fmt::format("{}: {} rad/s", i + 1, significant(v.z())),
               .color = page.theme().velocity});
