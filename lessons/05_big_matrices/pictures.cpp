@@ -53,6 +53,15 @@ void draw_bracket(Page& page, const Camera& camera, int row, bool left) {
                fmt::format("row {}", row + 1), fmt::format("{}", row + 1), left);
 }
 
+/// The stack of the question with either box on top, and what its contacts carry in the end.
+void draw_question(Page& page, const Rect& rect, const StackRun& run, const StackRun& heavy) {
+  const List<Rect> parts = in_columns(page, rect, {0.5, 0.5});
+  draw_stack(page, parts[0], run,
+             {.title = "A λ = b", .masses = true, .velocity = run.system.velocity});
+  draw_stack(page, parts[1], heavy,
+             {.title = "A λ = b: is it the same b?", .masses = true, .velocity = heavy.system.velocity});
+}
+
 /// The stack that stands, and below it λ as the first column of the inverse, times the one number of b.
 void draw_answer(Page& page, const Rect& rect, const StackRun& run) {
   const List<Rect> parts = in_rows(page, rect, {0.55, 0.45});
@@ -73,15 +82,15 @@ std::string answer_text(const StackRun& run) {
   std::string numbers = brief(run.system.b(0));
   for (int i = 1; i < run.boxes(); ++i) numbers += ",\u00a0" + brief(run.system.b(i));
   return fmt::format(
-      "b = ({}) m/s². Boxes that fall together do not approach each other. b knows only the ground; A^{{−1}} "
-      "carries the weight up.",
+      "None: b = ({}) m/s² with either box on top. Boxes that fall together do not approach each other, "
+      "whatever they weigh. The masses are in A.",
       numbers);
 }
 
 }  // namespace
 
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackView& view) {
-  const Rect inside = page.panel(rect, "");
+  const Rect inside = page.panel(rect, view.title);
   const double n = run.boxes(), bottom = -0.35;
   Camera camera = fit(inside, {{-1.75, bottom}, {1.75, n + 0.2}});
   camera.center.y() =
@@ -92,14 +101,19 @@ void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackVi
     look.active_a = {view.contact};
     look.active_b = {view.contact + 1};
   }
+  if (view.masses) {
+    look.names = {""};
+    for (const double mass : run.mass) look.names.push_back(brief(mass) + " kg");
+  }
   draw_world(page, camera, run.snapshot, look);
   draw_pushes(page, camera, run, view.known);
   if (view.velocity.size() > 0) draw_speeds(page, camera, run, view.velocity);
   if (view.row >= 0) draw_bracket(page, camera, view.row, true);
   if (view.other_row >= 0) draw_bracket(page, camera, view.other_row, false);
-  for (int i = 0; view.asks && i < run.boxes(); ++i) {
+  for (int i = 0; view.masses && i < run.boxes(); ++i) {
+    const std::string force = brief(run.lambda(i)) + " N";
     write_beside(page, camera, camera.project({-0.6, i}) - Point(0, i == 0 ? 14 : 0),
-                 fmt::format("b_{{{}}} = ? m/s²", i + 1), fmt::format("b_{{{}}} = ?", i + 1), true);
+                 fmt::format("λ_{{{}}} = {}", i + 1, force), force, true);
   }
 }
 
@@ -155,22 +169,22 @@ List<std::string> row_names(int rows) {
   return names;
 }
 
-List<Shot> stack_shots(const StackRun& run) {
+List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
   List<Shot> shots = {question_shot(
       card(),
       {.state = "before the first row",
-       .alt = "Three stacked boxes that fall at the same speed, equation 15, and the question for the "
-              "numbers of b",
-       .scene = [&run](Page& page, const Rect& rect) {
-         draw_stack(page, rect, run, {.asks = true, .velocity = run.system.velocity});
-       }})};
+       .alt = "Three stacked boxes of 1 kg, and the same with 100 kg on top: all fall at the same speed, "
+              "their contacts carry 30, 20, 10 and 1020, 1010, 1000 N; and the question how many numbers of b "
+              "change",
+       .scene = [&run, &heavy](Page& page, const Rect& rect) { draw_question(page, rect, run, heavy); }})};
   for (const List<Shot>& part : {building_shots(run), solving_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(answer_shot(
       card(),
       {.state = "answer",
-       .alt = "The stack held by its contacts; below it the inverse of A times b is λ; and the answer.",
-       .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
+       .alt = "The stack with 100 kg on top, held by its contacts; below it the inverse of A times b is λ; "
+              "and the answer.",
+       .scene = [&heavy](Page& page, const Rect& rect) { draw_answer(page, rect, heavy); }},
       answer_text(run)));
   return shots;
 }
