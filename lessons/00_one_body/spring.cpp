@@ -80,11 +80,10 @@ void tell_springs(Lesson& lesson, const Springs& springs) {
   const int steps = springs.semi_implicit.x.size() - 1;
   for (int quarter = 0; quarter <= 4; ++quarter) {
     const int k = quarter * steps / 4;
-    lesson.print(fmt::format("{:>9} {:>20} {:>15} {:>20} {:>11}", fixed(k * springs.dt, 2),
-                             fixed(springs.explicit_euler.x[k], 3),
-                             fixed(swing_at(springs.explicit_euler, k), 3),
-                             fixed(springs.semi_implicit.x[k], 3),
-                             fixed(std::cos(omega * k * springs.dt), 3)));
+    lesson.print(
+        fmt::format("{:>9} {:>20} {:>15} {:>20} {:>11}", fixed(k * springs.dt, 2),
+                    fixed(springs.explicit_euler.x[k], 3), fixed(swing_at(springs.explicit_euler, k), 3),
+                    fixed(springs.semi_implicit.x[k], 3), fixed(std::cos(omega * k * springs.dt), 3)));
   }
 }
 
