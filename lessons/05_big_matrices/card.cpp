@@ -19,7 +19,8 @@ const LessonCard lesson05(
      .reads = {"src/solvers/system_matrix.hpp", "src/solvers/system_matrix.cpp"},
      .question = "Three boxes of 1\u00a0kg stand on each other, and A\u00a0λ\u00a0=\u00a0b says that "
                  "their contacts carry 30, 20 and 10\u00a0N, from the ground up. With a box of "
-                 "100\u00a0kg in place of the third it says 1020, 1010 and 1000\u00a0N. b has one number for each contact. "
+                 "100\u00a0kg in place of the third it says 1020, 1010 and 1000\u00a0N. b has one number for "
+                 "each contact. "
                  "How many of the three does the heavy box change?",
      .spoilers = {"None", "do not approach", "Only the lowest box", "10, 0, 0"},
      .unasked = {"top"},
@@ -30,9 +31,7 @@ const LessonCard lesson05(
                 {1},
                 "You may think of the row of the heavy box. But a row looks at velocities, and the heavy box "
                 "falls as fast as the light one."},
-               {{2},
-                {2},
-                "A has the masses of both boxes of a row. b has only their velocities."}},
+               {{2}, {2}, "A has the masses of both boxes of a row. b has only their velocities."}},
      .hints = {"(15) has b. Which of its letters would know that the box is heavy?",
                "−j·v₁ says how fast the two bodies of a contact approach each other, before any contact "
                "pushes.",

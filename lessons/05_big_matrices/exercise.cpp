@@ -16,9 +16,9 @@ struct Body {
 };
 
 struct Row {
-  int a = 0, b = 0;         // places of its two bodies in the list
+  int a = 0, b = 0;  // places of its two bodies in the list
   Three j_a = {}, j_b = {};
-  double zeta = 0;          // [m/s] the j·v that it wants
+  double zeta = 0;  // [m/s] the j·v that it wants
 };
 
 // b [m/s²] of (15), one number for each row. The forces act during this step: (15) means the velocities that

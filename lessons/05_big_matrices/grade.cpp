@@ -25,16 +25,15 @@ void grade_rest(Grade& grade) {
   const List<Body> bodies = {{}, resting(2), resting(0.5)};
   const List<Row> rows = {{.a = 0, .b = 1, .j_a = {0, -1, 0}, .j_b = {0, 1, 0}},
                           {.a = 1, .b = 2, .j_a = {0, -1, 0}, .j_b = {0, 1, 0}}};
-  grade.number(
-      {.what = "2 kg on the ground, 0.5 kg on top, at rest: b_1 (m/s²)",
-       .value = 10,
-       .misconceptions = {{0, "b knows of no gravity, and a stack at rest then carries nothing."},
-                          {20, "A force changes v by M⁻¹ f Δt: M⁻¹ is missing."},
-                          {40, "A force changes v by M⁻¹ f Δt, not by M f Δt."},
-                          {500, "A force changes v by M⁻¹ f Δt: Δt is missing."},
-                          {-10, sign},
-                          {0.2, "b is an acceleration: a velocity divided by Δt."}}},
-      number(0, rows, bodies));
+  grade.number({.what = "2 kg on the ground, 0.5 kg on top, at rest: b_1 (m/s²)",
+                .value = 10,
+                .misconceptions = {{0, "b knows of no gravity, and a stack at rest then carries nothing."},
+                                   {20, "A force changes v by M⁻¹ f Δt: M⁻¹ is missing."},
+                                   {40, "A force changes v by M⁻¹ f Δt, not by M f Δt."},
+                                   {500, "A force changes v by M⁻¹ f Δt: Δt is missing."},
+                                   {-10, sign},
+                                   {0.2, "b is an acceleration: a velocity divided by Δt."}}},
+               number(0, rows, bodies));
   grade.number({.what = "between the two: b_2 (m/s²)",
                 .value = 0,
                 .misconceptions = {{10, two_bodies}, {-15, ""}, {-37.5, ""}}},

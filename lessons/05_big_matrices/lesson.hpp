@@ -8,9 +8,9 @@
 
 namespace cairn::big {
 
-inline constexpr double gravity = 10;     // [m/s^2]
-inline constexpr double baumgarte = 0.2;  // beta
-inline constexpr double heavy_mass = 100; // [kg] of the uppermost box in the question
+inline constexpr double gravity = 10;      // [m/s^2]
+inline constexpr double baumgarte = 0.2;   // beta
+inline constexpr double heavy_mass = 100;  // [kg] of the uppermost box in the question
 
 struct StackSettings {
   int boxes = 3;
@@ -44,7 +44,7 @@ struct StackRun {
   Eigen::VectorXd lambda_without = {};    // [N] had gravity not been in v_1
   Eigen::VectorXd velocity_without = {};  // v_2 with that, and gravity added after
   double library_gap = 0;                 // between system and the library's A and b; the largest
-  Snapshot snapshot = {};  // for drawing
+  Snapshot snapshot = {};                 // for drawing
 
   int boxes() const { return settings.boxes; }
 };
@@ -95,7 +95,6 @@ struct StackView {
   int contact = -1;               // whose two bodies are lit; from 0
   int row = -1, other_row = -1;   // whose boxes have a bracket left and right; from 0
   int known = 0;                  // so many pushes are shown, from the uppermost contact down
-  std::string title = {};
   bool masses = false;            // of each box, and what its contact carries in the end
   Eigen::VectorXd velocity = {};  // three numbers a box; nothing: no velocities
 };
