@@ -1,4 +1,6 @@
 // How the error of the stack shrinks, the intervals of all kinds of rows, and the order of all frames.
+#include <set>
+
 #include "lesson.hpp"
 
 namespace cairn::sweeps {
@@ -17,7 +19,7 @@ Series missing(const std::string& name, const Swept& swept, const StackRun& stac
 TableView shares_left(int boxes) {
   TableView table;
   table.header = {"boxes n", "ρ", "sweeps a digit"};
-  for (const int n : {2, 3, 5, 10, 20}) {
+  for (const int n : std::set<int>{2, 3, 5, 10, 20, boxes}) {
     const double factor = error_factor(n);
     table.rows.push_back({fmt::format("{}", n), fixed(factor, 4), fixed(-1 / std::log10(factor), 1)});
     if (n == boxes) table.active_row = table.rows.size() - 1;
