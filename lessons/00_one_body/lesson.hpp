@@ -57,7 +57,8 @@ inline constexpr double swing_seconds = 2;
 /// A box that swings twice a second, for swing_seconds, from x = 1 m at rest.
 Springs swing(double dt);
 
-/// How far to each side it swings at the end, if it goes on without error [m].
+/// How far to each side it swings, if it goes on without error from a step, or from the end [m].
+double swing_at(const Swing& swing, int step);
 double swing_at_end(const Swing& swing);
 
 /// Appends an instant to the flight.

@@ -70,17 +70,20 @@ Springs swing(double dt) {
   return springs;
 }
 
-double swing_at_end(const Swing& swing) { return std::hypot(swing.x.back(), swing.v.back() / omega); }
+double swing_at(const Swing& swing, int step) { return std::hypot(swing.x[step], swing.v[step] / omega); }
+
+double swing_at_end(const Swing& swing) { return swing_at(swing, swing.x.size() - 1); }
 
 void tell_springs(Lesson& lesson, const Springs& springs) {
   lesson.print("on a spring, twice a second, from x = 1 m at rest:");
-  lesson.print("    t (s)   position first (m)   velocity first (m)   exact (m)");
+  lesson.print("    t (s)   position first (m)   its swing (m)   velocity first (m)   exact (m)");
   const int steps = springs.semi_implicit.x.size() - 1;
   for (int quarter = 0; quarter <= 4; ++quarter) {
     const int k = quarter * steps / 4;
-    lesson.print(fmt::format("{:>9} {:>20} {:>20} {:>11}", fixed(k * springs.dt, 2),
-                             fixed(springs.explicit_euler.x[k], 3), fixed(springs.semi_implicit.x[k], 3),
-                             fixed(std::cos(omega * k * springs.dt), 3)));
+    lesson.print(
+        fmt::format("{:>9} {:>20} {:>15} {:>20} {:>11}", fixed(k * springs.dt, 2),
+                    fixed(springs.explicit_euler.x[k], 3), fixed(swing_at(springs.explicit_euler, k), 3),
+                    fixed(springs.semi_implicit.x[k], 3), fixed(std::cos(omega * k * springs.dt), 3)));
   }
 }
 

@@ -22,15 +22,15 @@ const LessonCard lesson01(
      .question =
          "A box hangs on a rod of 5\u00a0m from (0,\u00a00) to (3,\u00a0−4)\u00a0m, the middle of its left "
          "side. How fast does each of these velocities (v_x,\u00a0v_y,\u00a0ω) make the rod longer, in m/s? "
-         "1:\u00a0(0.8,\u00a00.6,\u00a00), 2:\u00a0(0.6,\u00a0−0.8,\u00a00), "
-         "3:\u00a0(1,\u00a00.5,\u00a0−0.5). Which of them does a rod allow?",
-     .spoilers = {"0, 1 and 0", "the first and the third", "0.6 − 0.4 − 0.2"},
+         "1:\u00a0(0.8,\u00a00.6,\u00a00), 2:\u00a0(0.6,\u00a0−0.8,\u00a00.5), "
+         "3:\u00a0(1,\u00a00.5,\u00a0−0.5).",
+     .spoilers = {"0, 1.2 and 0", "the first and the third", "0.6 − 0.4 − 0.2"},
      .unasked = {"lambda", "seed"},
-     .wrong = {{{0, 1, 0.199},
-                {0, 1, 0.201},
+     .wrong = {{{0, 0.99, 0.199},
+                {0, 1.01, 0.201},
                 "You left the turning out: a turning box moves the end of its arm."},
-               {{0, 1, 0.399},
-                {0, 1, 0.401},
+               {{0, 0.79, 0.399},
+                {0, 0.81, 0.401},
                 "A box that turns counterclockwise moves its left side down, not up."}},
      .hints = {"Only what the anchor does along the rod makes it longer. Across the rod it may move.",
                "The rod points along u = (0.6, −0.8). When the box turns, the anchor moves too: up for a "

@@ -14,7 +14,7 @@ Motion motion(const Vec3<double>& jacobian, const std::string& name, const Vec3<
 }  // namespace
 
 List<Motion> asked_motions(const Vec3<double>& jacobian) {
-  return {motion(jacobian, "first", {0.8, 0.6, 0}), motion(jacobian, "second", {0.6, -0.8, 0}),
+  return {motion(jacobian, "first", {0.8, 0.6, 0}), motion(jacobian, "second", {0.6, -0.8, 0.5}),
           motion(jacobian, "third", {1, 0.5, -0.5})};
 }
 

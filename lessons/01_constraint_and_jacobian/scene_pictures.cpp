@@ -151,8 +151,9 @@ void draw_arc(Page& page, const Camera& camera, const Arc& arc) {
   const TextStyle style = bold_label(page, arc.color);
   const double wide = page.canvas().text_width(arc.label, style);
   const double gap = 0.7 * page.sizes().arrow + 6, rise = 0.35 * style.size;
+  const Point beside = std::sin(arc.middle) > 0.8 ? Point(-wide / 2, -gap) : Point(gap, rise);
   page.place_text(
-      {at(0) + Point(gap, rise), at(0) + Point(-gap - wide, rise), at(0) + Point(-wide / 2, gap + style.size),
+      {at(0) + beside, at(0) + Point(-gap - wide, rise), at(0) + Point(-wide / 2, gap + style.size),
        at(1) + Point(-wide / 2, -6), at(-1) + Point(-wide / 2, 6 + style.size)},
       camera.viewport, arc.label, style);
 }
@@ -224,8 +225,8 @@ void draw_asked(Page& page, const Camera& camera, const Rod& rod, bool answered)
     if (answered || v.z() == 0) continue;
     draw_arc(page, camera,
              {.center = rod.pose.position,
-              .radius = 0.95,
-              .middle = -1.95,
+              .radius = 1.05,
+              .middle = v.z() > 0 ? 1.5 : -1.95,
               .sign = v.z() > 0 ? 1.0 : -1.0,
               .label = fmt::format("{}: {} rad/s", i + 1, significant(v.z())),
               .color = page.theme().velocity});

@@ -23,9 +23,9 @@ Visit visit(int sweep, int foot, Clamped clamped, VelocityProblem<double>& probl
   visit.before = {problem.impulse[0], problem.impulse[1]};
 
   const double before = p;
+  p = before + asked;                                                    // lesson 03: no clamp
   if (clamped == Clamped::increment) p = before + std::max(asked, 0.0);  // wrong: nothing is ever taken back
   if (clamped == Clamped::sum) p = std::max(before + asked, 0.0);        // right
-  if (clamped == Clamped::afterwards) p = before + asked;                // not now: after the last sweep
   apply_impulse(problem, row, p - before);
 
   visit.after = {problem.impulse[0], problem.impulse[1]};

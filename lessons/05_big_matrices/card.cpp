@@ -17,28 +17,26 @@ const LessonCard lesson05(
           "(15)  A = J M⁻¹ Jᵀ,  b = ζ/Δt − J v₁/Δt"},
      .needs = {"lesson 03"},
      .reads = {"src/solvers/system_matrix.hpp", "src/solvers/system_matrix.cpp"},
-     .question = "Three boxes of 1\u00a0kg fall at 0.2\u00a0m/s, because gravity has acted for one step of "
-                 "0.02\u00a0s. In the end their contacts carry 30, 20 and 10\u00a0N, from the ground up. "
-                 "Of "
-                 "A\u00a0λ\u00a0=\u00a0b, b has a number for each contact: (ζ\u00a0−\u00a0j·v)/Δt, with "
-                 "ζ\u00a0=\u00a00. "
-                 "What are these numbers, from the ground up, in m/s²?",
-     .spoilers = {"b₂ and b₃", "10, 0, 0", "do not approach", "Only the lowest box"},
-     .wrong = {{{30, 20, 10},
-                {30, 20, 10},
-                "These are the forces. b says how fast bodies approach each other without "
-                "them."},
-               {{10, 10, 10},
-                {10, 10, 10},
-                "All boxes fall equally fast, but a row looks at the difference between its two "
-                "bodies."},
-               {{-10, 0, 0},
-                {-10, 0, 0},
-                "The sign is wrong: b has −j·v, and j·v is negative where bodies approach "
-                "each other."}},
-     .hints = {"b looks at the two bodies of a contact, not at one.",
-               "b = ζ/Δt − j·v₁/Δt, and −j·v₁ says how fast the two approach each other.",
-               "Both boxes fall at g Δt. How fast do they approach each other?"},
+     .question = "Three boxes of 1\u00a0kg stand on each other, and A\u00a0λ\u00a0=\u00a0b says that "
+                 "their contacts carry 30, 20 and 10\u00a0N, from the ground up. With a box of "
+                 "100\u00a0kg in place of the third it says 1020, 1010 and 1000\u00a0N. b has one number for "
+                 "each contact. "
+                 "How many of the three does the heavy box change?",
+     .spoilers = {"None", "do not approach", "Only the lowest box", "10, 0, 0"},
+     .unasked = {"top"},
+     .wrong = {{{3},
+                {3},
+                "So it would if b held the weights. But b = (ζ − J v₁)/Δt: there is no mass in it."},
+               {{1},
+                {1},
+                "You may think of the row of the heavy box. But a row looks at velocities, and the heavy box "
+                "falls as fast as the light one."},
+               {{2}, {2}, "A has the masses of both boxes of a row. b has only their velocities."}},
+     .hints = {"(15) has b. Which of its letters would know that the box is heavy?",
+               "−j·v₁ says how fast the two bodies of a contact approach each other, before any contact "
+               "pushes.",
+               "A box of 100 kg falls at g Δt, as one of 1 kg does. How fast do boxes 2 and 3 approach each "
+               "other?"},
      .parameters = {{"boxes", 3, 2, 5, "", "boxes in the stack", Parameter::Kind::whole},
                     {"dt", 0.02, 0.005, 0.1, "s", "time step"},
                     {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},

@@ -1,110 +1,81 @@
-// Exercise 05, graded: a stack of four different boxes, entry by entry and against J M^-1 J^T, and one of
-// six.
+// Exercise 05, graded: a stack at rest, which has to carry its weight, and a row between two bodies that fly
+// and turn.
 #include "exercise.cpp"
 
 namespace cairn::exercise05 {
 namespace {
 
-constexpr double few_roundings = 4e-15;  // of entries up to 3 / kg
-const char* const no_masses = "That is J Jᵀ: M⁻¹ is missing.";
-const char* const not_inverse = "The inverse mass: 1/m.";
+constexpr double dt = 0.02;  // [s]
+const char* const two_bodies = "A row has two bodies, and both have a velocity and a force.";
+const char* const sign = "The sign: b has −j·v₁, and v₁ is v plus M⁻¹ f Δt.";
+const char* const three_numbers = "Three numbers a body: j·v has x, y and the angle.";
 
-/// A_ij by its definition: the rows of J one by one.
-double by_definition(int i, int j, const List<double>& masses) {
-  const auto row = [](int contact, int box) {
-    return box == contact ? 1.0 : (box == contact - 1 ? -1.0 : 0.0);
-  };
-  double sum = 0;
-  for (int box = 0; box < masses.size(); ++box) sum += row(i, box) * row(j, box) / masses[box];
-  return sum;
+/// A unit box at rest, under gravity.
+Body resting(double mass) {
+  return {.inverse_mass = {1 / mass, 1 / mass, 6 / mass}, .force = {0, -10 * mass, 0}};
 }
 
-double worst_entry(const List<double>& masses) {
-  double worst = 0;
-  for (int i = 0; i < masses.size(); ++i) {
-    for (int j = 0; j < masses.size(); ++j) {
-      const double off = std::abs(entry(i, j, masses) - by_definition(i, j, masses));
-      worst = std::isnan(off) ? off : std::max(worst, off);
-    }
-  }
-  return worst;
+/// One number of b; NaN where the answer has not one for each row.
+double number(int i, const List<Row>& rows, const List<Body>& bodies) {
+  const List<double> b = right_side(rows, bodies, dt);
+  return b.size() == rows.size() ? b[i] : std::nan("");
 }
 
-void grade_diagonal(Grade& grade, const List<double>& masses) {
-  const char* const ground =
-      "One of the two bodies is the ground, no box of the list: its inverse mass is 0.";
-  const char* const two_boxes = "Two boxes meet in this contact, and both can move.";
-  const double infinity = std::numeric_limits<double>::infinity();
-  grade.number({.what = "boxes of 5, 0.5, 1.25 and 2 kg: A_00 (1/kg)",
-                .value = 0.2,
-                .misconceptions = {{0.4, ground},
-                                   {infinity, ground},
-                                   {-0.2, "Entries of the diagonal are positive: (−1)² and 1² times 1/m."},
-                                   {1, no_masses},
-                                   {5, not_inverse}},
-                .tolerance = few_roundings},
-               entry(0, 0, masses));
-  grade.number({.what = "the uppermost box: A_33 (1/kg)",
-                .value = 1.3,
-                .misconceptions = {{0.5, two_boxes},
-                                   {0.8, two_boxes},
-                                   {1, "Each box has its own 1/m: they differ."},
-                                   {-0.3, "Contact 3 moves both its boxes: add their 1/m."},
-                                   {2, no_masses},
-                                   {3.25, not_inverse},
-                                   {1 / 3.25, "Add the inverses, not the masses."}},
-                .tolerance = few_roundings},
-               entry(3, 3, masses));
-}
-
-void grade_neighbours(Grade& grade, const List<double>& masses) {
-  const char* const both_touch = "Both contacts touch box 2.";
-  const char* const symmetric = "A is symmetric: A_23 is A_32.";
-  const double lower = entry(3, 2, masses), upper = entry(2, 3, masses);
-  grade.number({.what = "the uppermost box: A_32 (1/kg)",
-                .value = -0.8,
-                .misconceptions = {{0.8, "The sign: contact 3 pushes box 2 down, contact 2 pushes it up."},
-                                   {0, upper == 0 ? both_touch : symmetric},
-                                   {-1, no_masses},
-                                   {-1.25, not_inverse},
-                                   {-2, "Contacts 2 and 3 share box 2, not box 1."},
-                                   {-1.3, "Contacts 2 and 3 share box 2 alone: one entry of M⁻¹."},
-                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}},
-                .tolerance = few_roundings},
-               lower);
-  grade.number({.what = "above the diagonal: A_23 (1/kg)",
-                .value = -0.8,
-                .misconceptions = {{0, lower == 0 ? both_touch : symmetric},
-                                   {-0.5, "Contacts 2 and 3 share box 2, not box 3."}},
-                .tolerance = few_roundings},
-               upper);
-  grade.number({.what = "two contacts further: A_31 (1/kg)",
+void grade_rest(Grade& grade) {
+  const List<Body> bodies = {{}, resting(2), resting(0.5)};
+  const List<Row> rows = {{.a = 0, .b = 1, .j_a = {0, -1, 0}, .j_b = {0, 1, 0}},
+                          {.a = 1, .b = 2, .j_a = {0, -1, 0}, .j_b = {0, 1, 0}}};
+  grade.number({.what = "2 kg on the ground, 0.5 kg on top, at rest: b_1 (m/s²)",
+                .value = 10,
+                .misconceptions = {{0, "b knows of no gravity, and a stack at rest then carries nothing."},
+                                   {20, "A force changes v by M⁻¹ f Δt: M⁻¹ is missing."},
+                                   {40, "A force changes v by M⁻¹ f Δt, not by M f Δt."},
+                                   {500, "A force changes v by M⁻¹ f Δt: Δt is missing."},
+                                   {-10, sign},
+                                   {0.2, "b is an acceleration: a velocity divided by Δt."}}},
+               number(0, rows, bodies));
+  grade.number({.what = "between the two: b_2 (m/s²)",
                 .value = 0,
-                .misconceptions = {{-2, "Contacts 1 and 3 have no box in common."}},
-                .tolerance = few_roundings},
-               entry(3, 1, masses));
+                .misconceptions = {{10, two_bodies}, {-15, ""}, {-37.5, ""}}},
+               number(1, rows, bodies));
+}
+
+void grade_flight(Grade& grade) {
+  const List<Body> bodies = {
+      {},
+      {.inverse_mass = {0.5, 0.5, 3}, .velocity = {0.3, -0.4, 2}, .force = {4, -20, 1.5}},
+      {.inverse_mass = {2, 2, 24}, .velocity = {-0.1, 0.2, -1}, .force = {0.5, -5, -0.25}}};
+  const List<Row> rows = {{.a = 1, .b = 2, .j_a = {-0.6, -0.8, 0.1}, .j_b = {0.6, 0.8, -0.3}, .zeta = 0.05}};
+  // v₁ is (0.34, −0.6, 2.09) and (−0.08, 0, −1.12), so j·v₁ is 0.773 m/s.
+  grade.number({.what = "two that fly and turn, pushed from all sides: b (m/s²)",
+                .value = -36.15,
+                .misconceptions = {{-8.9, three_numbers},
+                                   {-21.5, three_numbers},
+                                   {-33.9, "A torque changes ω: M⁻¹ has 1/I, too."},
+                                   {-38.6, "ζ is divided by Δt, too."},
+                                   {-38.65, "ζ is missing."},
+                                   {-41.15, "The row wants j·v = ζ: b has ζ/Δt with a plus."},
+                                   {2.5, "j·v₁ is missing."},
+                                   {50.85, "a is the first body, whose three numbers are j_a."},
+                                   {-11.9, two_bodies},
+                                   {-28.9, two_bodies}}},
+               number(0, rows, bodies));
 }
 
 }  // namespace
 
 Exercise exercise() {
   return {.lesson = 5,
-          .task = "The entries of A = J M⁻¹ Jᵀ for a stack of any height: equation (15).",
+          .task = "b of (15), for bodies on which forces act: a stack at rest has to carry its weight.",
           .file = "lessons/05_big_matrices/exercise.cpp",
-          .hints =
-              {"Row i of J has −1 at the box below the contact and +1 at the box above it.",
-               "A_ij is the sum over the boxes that both contacts touch of (entry of i)(entry of j) / m.",
-               "A_ii = 1/m_(i−1) + 1/m_i without the ground. For neighbours A_ij = −1/m of the box between."},
+          .hints = {"With the velocity of a stack at rest, b is 0. Which velocity does (15) mean by v₁?",
+                    "By (12), forces that are no rows change v by M⁻¹ f Δt. Do that first, then form ζ/Δt − "
+                    "j·v₁/Δt.",
+                    "v₁ = v + M⁻¹ f Δt for each of the three numbers of both bodies; b_i = (ζ_i − j_a·v₁a − "
+                    "j_b·v₁b)/Δt."},
           .grade = [](Grade& grade) {
-            const List<double> masses = {5, 0.5, 1.25, 2};
-            grade_diagonal(grade, masses);
-            grade_neighbours(grade, masses);
-            grade.number(
-                {.what = "all sixteen: largest difference from J M⁻¹ Jᵀ (1/kg)", .tolerance = few_roundings},
-                worst_entry(masses));
-            grade.number({.what = "all of six other boxes: largest difference from J M⁻¹ Jᵀ (1/kg)",
-                          .tolerance = few_roundings},
-                         worst_entry({0.8, 3, 1.5, 0.5, 4, 2.5}));
+            grade_rest(grade);
+            grade_flight(grade);
           }};
 }
 

@@ -8,8 +8,9 @@
 
 namespace cairn::big {
 
-inline constexpr double gravity = 10;     // [m/s^2]
-inline constexpr double baumgarte = 0.2;  // beta
+inline constexpr double gravity = 10;      // [m/s^2]
+inline constexpr double baumgarte = 0.2;   // beta
+inline constexpr double heavy_mass = 100;  // [kg] of the uppermost box in the question
 
 struct StackSettings {
   int boxes = 3;
@@ -29,17 +30,6 @@ struct StackSystem {
   double dt = 0;                      // [s]
 };
 
-/// How large the system of n boxes is.
-struct Growth {
-  int boxes = 0;
-  double all_of_J = 0;  // numbers in the matrix
-  double all_of_A = 0;
-  double used_of_J = 0;  // those that are not 0
-  double used_of_A = 0;
-  double elimination = 0;    // multiplications and divisions for a full matrix, about m^3 / 3
-  double without_zeros = 0;  // the same, counted where factors of 0 are left out
-};
-
 struct StackRun {
   StackSettings settings = {};
   List<double> mass = {};  // [kg] of each box, from the ground up
@@ -54,8 +44,7 @@ struct StackRun {
   Eigen::VectorXd lambda_without = {};    // [N] had gravity not been in v_1
   Eigen::VectorXd velocity_without = {};  // v_2 with that, and gravity added after
   double library_gap = 0;                 // between system and the library's A and b; the largest
-  List<Growth> growth = {};
-  Snapshot snapshot = {};  // for drawing
+  Snapshot snapshot = {};                 // for drawing
 
   int boxes() const { return settings.boxes; }
 };
@@ -79,20 +68,23 @@ double mass_above(const StackRun& run, int contact);
 double lambda_by_formula(const StackRun& run, int contact);
 /// A_ij from the masses alone [1/kg].
 double entry_by_formula(const StackRun& run, int i, int j);
+/// How many numbers of b are not the same.
+int changed_numbers(const StackRun& run, const StackRun& other);
 
 // What is printed, checked and drawn.
 
 void print_scene(Lesson& lesson, const StackRun& run);
 void print_matrices(Lesson& lesson, const StackRun& run);
-void print_right_side(Lesson& lesson, const StackRun& run);
+void print_right_side(Lesson& lesson, const StackRun& run, const StackRun& heavy);
 void print_solution(Lesson& lesson, const StackRun& run);
-void print_growth(Lesson& lesson, const StackRun& run);
 void check_matrices(Lesson& lesson, const StackRun& run);
 void check_solution(Lesson& lesson, const StackRun& run);
+/// What the heavy box on top changes.
+void check_question(Lesson& lesson, const StackRun& run, const StackRun& heavy);
 CsvTable entries_table(const StackRun& run);
 
 /// The matrices entry by entry, the elimination, and what comes of lambda.
-List<Shot> stack_shots(const StackRun& run);
+List<Shot> stack_shots(const StackRun& run, const StackRun& heavy);
 
 /// Their parts: how A and b are built, and how they are solved.
 List<Shot> building_shots(const StackRun& run);
@@ -103,7 +95,7 @@ struct StackView {
   int contact = -1;               // whose two bodies are lit; from 0
   int row = -1, other_row = -1;   // whose boxes have a bracket left and right; from 0
   int known = 0;                  // so many pushes are shown, from the uppermost contact down
-  bool asks = false;              // "b_1 = ?" beside each contact
+  bool masses = false;            // of each box, and what its contact carries in the end
   Eigen::VectorXd velocity = {};  // three numbers a box; nothing: no velocities
 };
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackView& view);

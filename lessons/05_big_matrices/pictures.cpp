@@ -53,10 +53,26 @@ void draw_bracket(Page& page, const Camera& camera, int row, bool left) {
                fmt::format("row {}", row + 1), fmt::format("{}", row + 1), left);
 }
 
+/// The stack of the question with either box on top, what its contacts carry in the end, and b, not known
+/// yet.
+void draw_question(Page& page, const Rect& rect, const StackRun& run, const StackRun& heavy) {
+  const List<Rect> columns = in_columns(page, rect, {0.5, 0.5});
+  const auto draw = [&page](const Rect& column, const StackRun& stack) {
+    const List<Rect> parts = in_rows(page, column, {0.28, 0.72});
+    MatrixView b{.title = "b (m/s²)", .values = stack.system.b.transpose()};
+    b.column_names = row_names(stack.boxes());
+    for (int i = 0; i < stack.boxes(); ++i) b.unknown.push_back({0, i});
+    draw_matrix(page, page.panel(parts[0], ""), b);
+    draw_stack(page, parts[1], stack, {.masses = true, .velocity = stack.system.velocity});
+  };
+  draw(columns[0], run);
+  draw(columns[1], heavy);
+}
+
 /// The stack that stands, and below it λ as the first column of the inverse, times the one number of b.
 void draw_answer(Page& page, const Rect& rect, const StackRun& run) {
   const List<Rect> parts = in_rows(page, rect, {0.55, 0.45});
-  draw_stack(page, parts[0], run, {.known = run.boxes(), .velocity = run.velocity});
+  draw_stack(page, parts[0], run, {.known = run.boxes(), .masses = true, .velocity = run.velocity});
   const List<std::string> names = row_names(run.boxes());
   draw_product(page, parts[1],
                {{.title = "A^{−1} (kg)",
@@ -73,8 +89,8 @@ std::string answer_text(const StackRun& run) {
   std::string numbers = brief(run.system.b(0));
   for (int i = 1; i < run.boxes(); ++i) numbers += ",\u00a0" + brief(run.system.b(i));
   return fmt::format(
-      "b = ({}) m/s². Boxes that fall together do not approach each other. b knows only the ground; A^{{−1}} "
-      "carries the weight up.",
+      "None: b = ({}) m/s² with either box on top. Boxes that fall together do not approach each other, "
+      "whatever they weigh. The masses are in A.",
       numbers);
 }
 
@@ -92,14 +108,19 @@ void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackVi
     look.active_a = {view.contact};
     look.active_b = {view.contact + 1};
   }
+  if (view.masses) {
+    look.names = {""};
+    for (const double mass : run.mass) look.names.push_back(brief(mass) + " kg");
+  }
   draw_world(page, camera, run.snapshot, look);
   draw_pushes(page, camera, run, view.known);
   if (view.velocity.size() > 0) draw_speeds(page, camera, run, view.velocity);
   if (view.row >= 0) draw_bracket(page, camera, view.row, true);
   if (view.other_row >= 0) draw_bracket(page, camera, view.other_row, false);
-  for (int i = 0; view.asks && i < run.boxes(); ++i) {
+  for (int i = 0; view.masses && i < run.boxes() - view.known; ++i) {
+    const std::string force = brief(run.lambda(i)) + " N";
     write_beside(page, camera, camera.project({-0.6, i}) - Point(0, i == 0 ? 14 : 0),
-                 fmt::format("b_{{{}}} = ? m/s²", i + 1), fmt::format("b_{{{}}} = ?", i + 1), true);
+                 fmt::format("λ_{{{}}} = {}", i + 1, force), force, true);
   }
 }
 
@@ -155,22 +176,23 @@ List<std::string> row_names(int rows) {
   return names;
 }
 
-List<Shot> stack_shots(const StackRun& run) {
+List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
   List<Shot> shots = {question_shot(
       card(),
       {.state = "before the first row",
-       .alt = "Three stacked boxes that fall at the same speed, equation 15, and the question for the "
-              "numbers of b",
-       .scene = [&run](Page& page, const Rect& rect) {
-         draw_stack(page, rect, run, {.asks = true, .velocity = run.system.velocity});
-       }})};
+       .alt =
+           "Three stacked boxes of 1 kg, and the same with 100 kg on top: all fall at the same speed, "
+           "their contacts carry 30, 20, 10 and 1020, 1010, 1000 N; above each stack its three numbers of b, "
+           "not known yet; and the question how many of them change",
+       .scene = [&run, &heavy](Page& page, const Rect& rect) { draw_question(page, rect, run, heavy); }})};
   for (const List<Shot>& part : {building_shots(run), solving_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(answer_shot(
       card(),
       {.state = "answer",
-       .alt = "The stack held by its contacts; below it the inverse of A times b is λ; and the answer.",
-       .scene = [&run](Page& page, const Rect& rect) { draw_answer(page, rect, run); }},
+       .alt = "The stack with 100 kg on top, held by its contacts; below it the inverse of A times b is λ; "
+              "and the answer.",
+       .scene = [&heavy](Page& page, const Rect& rect) { draw_answer(page, rect, heavy); }},
       answer_text(run)));
   return shots;
 }

@@ -101,36 +101,6 @@ void draw_without_gravity(Page& page, const StackRun& run) {
                            .result = fmt::format("= {} m/s²", brief(b))});
 }
 
-void draw_growth(Page& page, const StackRun& run) {
-  const List<Rect> parts = in_columns(page, {0.6, 0.4});
-  const List<SeriesStyle> looks = render::neutral_styles(page.theme());
-  Plot plot{.title = "numbers in J and A, products of an elimination"};
-  plot.x = {.title = "boxes", .scale = AxisScale::logarithmic, .min = 2, .max = 400};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 3, .max = 3e7};
-  plot.series = {{.name = "elimination", .style = looks[0]},
-                 {.name = "numbers in J", .style = looks[1]},
-                 {.name = "numbers in A", .style = looks[2]},
-                 {.name = "without zeros", .style = looks[3]}};
-  for (const Growth& growth : run.growth) {
-    plot.series[0].add(growth.boxes, growth.elimination);
-    plot.series[1].add(growth.boxes, growth.all_of_J);
-    plot.series[2].add(growth.boxes, growth.all_of_A);
-    plot.series[3].add(growth.boxes, growth.without_zeros);
-  }
-  draw_plot(page, parts[0], plot);
-  const Growth& largest = run.growth.back();
-  page.note(
-      parts[1], "A larger stack",
-      fmt::format(
-          "With {} boxes A has {} numbers, and {:.0f} of them are not 0. Elimination takes {:.1f} million "
-          "products on a full A, and {} where it leaves out the zeros. So its price is no reason to "
-          "give it up. But it does not know that a contact cannot pull. Solvers for games sweep over "
-          "the rows instead, and clamp.",
-          largest.boxes, spaced(largest.all_of_A), largest.used_of_A, 1e-6 * largest.elimination,
-          spaced(largest.without_zeros)),
-      question_growth);
-}
-
 Shot back_shot(const StackRun& run, int row) {
   return {
       .state = fmt::format("λ of row {}", row + 1),
@@ -160,11 +130,6 @@ List<Shot> solving_shots(const StackRun& run) {
   shots.push_back(key_shot(run, "gravity after b",
                            "The same stack with gravity added after b was formed: no contact holds it.",
                            draw_without_gravity));
-  shots.push_back(
-      key_shot(run, "3 to 300 boxes",
-               "Numbers in J and A, and products of an elimination with and without zeros, against the "
-               "number of boxes.",
-               draw_growth));
   return shots;
 }
 

@@ -10,45 +10,6 @@ namespace cairn::big {
 
 namespace {
 
-/// Multiplications and divisions that solve the stack, if none is done with a 0.
-double counted_elimination(const SystemMatrices<double>& system) {
-  const Eigen::Index m = system.b.size();
-  Eigen::MatrixXd stage(m, m + 1);
-  stage << system.A, system.b;
-  double count = 0;
-  for (Eigen::Index pivot = 0; pivot < m; ++pivot) {
-    for (Eigen::Index row = pivot + 1; row < m; ++row) {
-      if (stage(row, pivot) == 0) continue;
-      const double factor = stage(row, pivot) / stage(pivot, pivot);
-      ++count;
-      for (Eigen::Index k = pivot + 1; k <= m; ++k) {
-        if (stage(pivot, k) == 0) continue;
-        stage(row, k) -= factor * stage(pivot, k);
-        ++count;
-      }
-    }
-  }
-  for (Eigen::Index row = 0; row < m; ++row) {  // and back up: a product for each known λ, and a division
-    for (Eigen::Index k = row + 1; k < m; ++k) count += stage(row, k) != 0;
-    ++count;
-  }
-  return count;
-}
-
-Growth growth_of(int boxes) {
-  const SystemMatrices<double> system = system_matrices(stack_rows({.boxes = boxes}, gravity));
-  const Eigen::MatrixXd J = system.J.rightCols(system.J.cols() - 3);  // without the ground
-  Growth growth{.boxes = boxes};
-  growth.all_of_J = static_cast<double>(J.size());
-  growth.all_of_A = static_cast<double>(system.A.size());
-  growth.used_of_J = static_cast<double>((J.array() != 0).count());
-  growth.used_of_A = static_cast<double>((system.A.array() != 0).count());
-  const double m = boxes;
-  growth.elimination = (m * m * m - m) / 3 + m * m;
-  growth.without_zeros = counted_elimination(system);
-  return growth;
-}
-
 /// Gravity is left out of v_1, and added when all is solved.
 void solve_without_gravity(StackRun& run) {
   const StackSystem still = assemble(stack_rows(run.settings, 0));
@@ -88,7 +49,6 @@ void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run) {
   run.inverse = run.system.A.ldlt().solve(Eigen::MatrixXd::Identity(m, m));
   run.eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(run.system.A).eigenvalues();
   solve_without_gravity(run);
-  for (const int boxes : {3, 10, 30, 100, 300}) run.growth.push_back(growth_of(boxes));
   run.snapshot = stack_at_rest(run.boxes(), run.settings.sunk);
 }
 
@@ -107,6 +67,10 @@ double entry_by_formula(const StackRun& run, int i, int j) {
   const auto above = [&run](int contact) { return 1 / run.mass[contact]; };
   if (i == j) return above(i) + (i > 0 ? above(i - 1) : 0.0);
   return std::abs(i - j) == 1 ? -above(std::min(i, j)) : 0.0;  // the box between the two
+}
+
+int changed_numbers(const StackRun& run, const StackRun& other) {
+  return static_cast<int>((run.system.b.array() != other.system.b.array()).count());
 }
 
 }  // namespace cairn::big

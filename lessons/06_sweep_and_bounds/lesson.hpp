@@ -27,7 +27,7 @@ struct Swept {
   double gap = 0;                        // [N] to the same sweeps by hand; the largest
 };
 
-/// Scene B: one row for each contact of a stack of unit boxes of 1 kg, from the ground up.
+/// One row for each contact of a stack of unit boxes of 1 kg, from the ground up.
 struct StackRun {
   SystemMatrices<double> system = {};
   Swept up = {};              // from the ground up
@@ -35,10 +35,9 @@ struct StackRun {
   Swept unbounded = {};       // up, with rows that could pull as well
   PerRow<double> exact = {};  // [N] the weight above each contact
   List<double> error = {};    // largest error of any lambda after each sweep, over the largest lambda
-  Snapshot snapshot = {};
 };
 
-/// Scene A: a row for each support of a rod.
+/// A row for each support of a rod.
 struct RodRun {
   SystemMatrices<double> system = {};
   Swept bounded = {};                 // sweeps of projected Gauss-Seidel
@@ -100,7 +99,7 @@ void check_stack(Lesson& lesson, const SweepRun& run);
 void check_rod(Lesson& lesson, const SweepRun& run);
 CsvTable updates_table(const SweepRun& run);
 
-/// The stack row by row, the rod in the plane of its two lambda, and the intervals.
+/// The rod in the plane of its two lambda, how the error of the stack shrinks, and the intervals.
 List<Shot> sweep_shots(const SweepRun& run);
 
 /// The rod between the question and the answer.

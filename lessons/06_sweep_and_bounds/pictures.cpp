@@ -1,44 +1,11 @@
-// The stack as a matrix that is swept, how the error shrinks, and the intervals of all kinds of rows.
+// How the error of the stack shrinks, the intervals of all kinds of rows, and the order of all frames.
+#include <set>
+
 #include "lesson.hpp"
 
 namespace cairn::sweeps {
 
 namespace {
-
-void draw_lambda(Page& page, const Rect& rect, const SweepRun& run, int k) {
-  const Swept& up = run.stack.up;
-  const int active = up.updates[k].row;
-  BarChart chart{.title = "λ (N)", .largest = 1.25 * run.stack.exact[0]};
-  for (int i = run.stack.exact.size() - 1; i >= 0; --i) {  // the uppermost contact first, as in the stack
-    const double before = k > 0 ? up.after[k - 1][i] : 0;
-    chart.bars.push_back({.name = fmt::format("row {}", i + 1),
-                          .before = before,
-                          .added = up.after[k][i] - before,
-                          .exact = run.stack.exact[i],
-                          .active = i == active});
-  }
-  draw_bars(page, rect, chart);
-}
-
-/// Stack left, matrix and bars at the top right; returns what is free below them.
-Rect draw_moment(Page& page, const SweepRun& run, int k) {
-  const List<Rect> parts = in_columns(page, {0.34, {0.66, {{0.58, {0.4, 0.6}}, 0.42}}});
-  const int active = run.stack.up.updates[k].row;
-  const PerRow<double>& lambda = run.stack.up.after[k];
-  draw_stack_panel(page, page.panel(parts[0], "pushes up and down (N)"),
-                   {.stack = run.stack.snapshot,
-                    .lambda = {lambda.begin(), lambda.end()},
-                    .active = active,
-                    .largest_lambda = run.stack.exact[0]});
-  draw_system(page, parts[1], run.stack.system, active);
-  draw_lambda(page, parts[2], run, k);
-  return parts[3];
-}
-
-void draw_update(Page& page, const SweepRun& run, int k) {
-  const Rect rest = draw_moment(page, run, k);
-  page.equation(rest, equation_28(page, run.stack.system, run.stack.up, k));
-}
 
 /// What is missing of one lambda after each sweep, over its exact value.
 Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
@@ -52,7 +19,7 @@ Series missing(const std::string& name, const Swept& swept, const StackRun& stac
 TableView shares_left(int boxes) {
   TableView table;
   table.header = {"boxes n", "ρ", "sweeps a digit"};
-  for (const int n : {2, 3, 5, 10, 20}) {
+  for (const int n : std::set<int>{2, 3, 5, 10, 20, boxes}) {
     const double factor = error_factor(n);
     table.rows.push_back({fmt::format("{}", n), fixed(factor, 4), fixed(-1 / std::log10(factor), 1)});
     if (n == boxes) table.active_row = table.rows.size() - 1;
@@ -144,30 +111,6 @@ void draw_intervals(Page& page) {
   }
 }
 
-Shot update_shot(const SweepRun& run, int k) {
-  const RowUpdate<double>& update = run.stack.up.updates[k];
-  const int row = update.row;
-  const int n = run.settings.boxes;
-  return {.state = fmt::format("the stack · sweep {}/{} · row {} of {}", update.sweep, run.settings.sweeps,
-                               update.row + 1, n),
-          .alt = fmt::format("Stack, A and b, bars of λ: sweep {}, row {} puts its λ to {:.4f} N; exact is "
-                             "{:g} N.",
-                             update.sweep, row + 1, run.stack.up.after[k][row], run.stack.exact[row]),
-          .draw = [&run, k](Page& page) { draw_update(page, run, k); },
-          .key = k == n};
-}
-
-List<Shot> stack_shots(const SweepRun& run) {
-  List<Shot> shots;
-  for (int k = 0; k < run.stack.up.updates.size(); ++k) shots.push_back(update_shot(run, k));
-  shots.push_back(key_shot(
-      run, fmt::format("the stack · {} sweeps", run.settings.sweeps),
-      "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
-      "lines of the same slope.",
-      draw_errors));
-  return shots;
-}
-
 /// Which of the other lambda are new already: rows before this one have had their turn.
 std::string sources(const SystemMatrices<double>& system, int i) {
   std::string text;
@@ -220,8 +163,13 @@ Equation equation_28(const Page& page, const SystemMatrices<double>& system, con
 
 List<Shot> sweep_shots(const SweepRun& run) {
   List<Shot> shots = {question_shot(run)};
-  for (const List<Shot>& part : {rod_shots(run), stack_shots(run)})
-    shots.insert(shots.end(), part.begin(), part.end());
+  const List<Shot> rod = rod_shots(run);
+  shots.insert(shots.end(), rod.begin(), rod.end());
+  shots.push_back(key_shot(
+      run, fmt::format("the stack · {} sweeps", run.settings.sweeps),
+      "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
+      "lines of the same slope.",
+      draw_errors));
   shots.push_back({.state = "intervals",
                    .alt = "Number lines: the interval of a contact or rope, of a joint, of a motor and of "
                           "friction.",

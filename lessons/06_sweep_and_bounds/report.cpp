@@ -83,37 +83,26 @@ void print_scenes(Lesson& lesson, const SweepSettings& settings) {
 void print_stack(Lesson& lesson, const SweepRun& run) {
   const StackRun& stack = run.stack;
   lesson.print(
-      fmt::format("Scene B: {} unit boxes of 1 kg on top of each other; A and b are those of lesson 05",
+      fmt::format("The stack: {} unit boxes of 1 kg on top of each other; A and b are those of lesson 05",
                   run.settings.boxes));
-  const int shown = std::min(2 * run.settings.boxes, 9 - run.settings.boxes);
-  for (int k = 0; k < stack.up.updates.size(); ++k) print_update(lesson, stack.system, stack.up, k, shown);
-  lesson.print(fmt::format("  ...  (-v shows all {} updates)", stack.up.updates.size()));
-  std::string header = "after sweep";
-  List<int> sweeps;
+  std::string header = "after sweep                 ", up = "largest error, over λ_1     ";
   for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100}) {
     if (sweep > run.settings.sweeps) break;
-    sweeps.push_back(sweep);
-    header += fmt::format("{:>9}", sweep);
+    header += fmt::format("{:>8}", sweep);
+    up += fmt::format("{:>8.4f}", stack.error[sweep]);
   }
-  lesson.print(header + "    exact");
-  for (int i = 0; i < stack.exact.size(); ++i) {
-    std::string line = fmt::format("λ_{:<9}", i + 1);
-    for (const int sweep : sweeps) line += fmt::format("{:>9.4f}", stack.up.by_sweep[sweep][i]);
-    lesson.print(line + fmt::format("{:>9.4f}   N", stack.exact[i]));
-  }
-  std::string line = "error      ";
-  for (const int sweep : sweeps) line += fmt::format("{:>9.4f}", stack.error[sweep]);
-  lesson.print(line + fmt::format("           of λ_1"));
-  line = "λ_1, down  ";
-  for (const int sweep : sweeps) line += fmt::format("{:>9.4f}", stack.down.by_sweep[sweep][0]);
-  lesson.print(line + "           the same from the top down");
+  lesson.print(header);
+  lesson.print(up);
+  std::string exact;
+  for (const double weight : stack.exact) exact += fmt::format("{}{:g}", exact.empty() ? "" : ", ", weight);
+  lesson.print(fmt::format("  in the end λ = ({}) N; from the top down λ_i comes i − 1 sweeps later", exact));
   lesson.print();
 }
 
 void print_rod(Lesson& lesson, const SweepRun& run) {
   const RodRun& rod = run.rod;
   const Matrix<double>& A = rod.system.A;
-  lesson.print(fmt::format("Scene A: the rod; supports at 0 and {:g} m, its middle at {:g} m; I = {:g} kg m²",
+  lesson.print(fmt::format("The rod: supports at 0 and {:g} m, its middle at {:g} m; I = {:g} kg m²",
                            run.settings.support, rod_length / 2, rod_inertia));
   lesson.print(fmt::format(
       "  A = [{0:.4g} {1:.4g}; {1:.4g} {2:.4g}], b = ({3:.4g}, {4:.4g}); A λ = b: λ = "

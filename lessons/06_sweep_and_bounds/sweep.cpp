@@ -21,8 +21,7 @@ StackRun run_stack(const SweepSettings& settings) {
   StackRun run{.system = system_matrices(problem),
                .up = swept(problem, settings.sweeps),
                .down = swept(problem, settings.sweeps, RowOrder::reverse),
-               .unbounded = swept(without_bounds(problem), settings.sweeps),
-               .snapshot = stack_at_rest(settings.boxes)};
+               .unbounded = swept(without_bounds(problem), settings.sweeps)};
   for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * gravity);
   for (const PerRow<double>& lambda : run.up.by_sweep) run.error.push_back(largest_error(lambda, run.exact));
   return run;
