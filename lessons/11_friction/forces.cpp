@@ -33,8 +33,7 @@ void label_force(Page& page, const Camera& camera, const Rect& panel, const Arro
     // Below the shaft, which comes down to the right from the tip, and where others stand there, below them.
     const double drop = 0.8 * width * std::abs(value.y() / value.x());
     const double left = std::max(tip.x() - 0.2 * width, panel.x + 6);
-    for (int line = 0; line < 6; ++line)
-      places.push_back({left, tip.y() + drop + (1.7 + 1.4 * line) * size});
+    for (int line = 0; line < 6; ++line) places.push_back({left, tip.y() + drop + (1.7 + 1.4 * line) * size});
   }
   if (value.y() < 0) {
     places.push_back(tip + Point(size, -size));  // clear of the bracket that may stand at the tip
@@ -102,10 +101,9 @@ void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corn
     const double held = solved ? std::abs(contact.friction_impulse) / now.dt : 0.5 * law.given();
     if (solved) {
       draw_friction_limit(page, camera, scale, contact.position, downhill, contact.friction * load);
-      forces.push_back({{.kind = ArrowKind::normal,
-                         .tail = contact.position,
-                         .value = load * slide.slope.normal()},
-                        newtons("λ_{n}", load)});
+      forces.push_back(
+          {{.kind = ArrowKind::normal, .tail = contact.position, .value = load * slide.slope.normal()},
+           newtons("λ_{n}", load)});
     }
     // While it is asked for, only its direction is drawn: dashed, and equally long at both corners.
     forces.push_back({{.kind = solved ? ArrowKind::friction : ArrowKind::external,
