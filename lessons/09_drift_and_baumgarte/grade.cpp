@@ -35,7 +35,8 @@ void grade_depth(Grade& grade) {
                           {4.6, "What is missing is ζ − j·v: a ball that comes closer needs more."},
                           {0.1, "The error is to be gone in one step: ζ = −β c/Δt, a velocity."},
                           {0, "ζ is 0 there: inside the ground the row asks for −β c/Δt."},
-                          {2.4, "Impulse = mass times velocity, and that push is half of it: divide by Σ 1/m."},
+                          {2.4,
+                           "Impulse = mass times velocity, and that push is half of it: divide by Σ 1/m."},
                           {-5.4, "The upper body is pushed up: its speed grows by the impulse times 1/m."}},
        .tolerance = rounding},
       ball_speed(-0.1, {1, 0, dt}, -0.2));
@@ -57,7 +58,8 @@ void grade_depth(Grade& grade) {
 
 /// Outside the ground, and on the way out.
 void grade_gap(Grade& grade) {
-  const char* const in_the_air = "Above the ground β has no part: ζ = −c/Δt, down to the surface in this step.";
+  const char* const in_the_air =
+      "Above the ground β has no part: ζ = −c/Δt, down to the surface in this step.";
   grade.number(
       {.what = "3 mm above, β = 0.2, v = −0.2 m/s",
        .value = -0.15,
@@ -134,13 +136,13 @@ Exercise exercise() {
             grade_gap(grade);
             grade_two_bodies(grade);
             // The page's ball. 200 steps of a few roundings of numbers up to 5.
-            grade.number({.what = "begins 100 mm deep, β = 1: rises to (m)",
-                          .value = 1.2,
-                          .tolerance = 1e-11},
-                         highest(0.1, 1));
+            grade.number(
+                {.what = "begins 100 mm deep, β = 1: rises to (m)", .value = 1.2, .tolerance = 1e-11},
+                highest(0.1, 1));
             // By 20 mm in step 1; from then on the row asks for what the ball has, or more.
-            grade.number({.what = "with β = 0.2: above the surface by at most (m)", .value = 0, .tolerance = 1e-11},
-                         std::max(0.0, highest(0.1, 0.2)));
+            grade.number(
+                {.what = "with β = 0.2: above the surface by at most (m)", .value = 0, .tolerance = 1e-11},
+                std::max(0.0, highest(0.1, 0.2)));
           }};
 }
 

@@ -1,5 +1,5 @@
-// Exercise 10, graded: stacks, boxes on the ground, on a tray and at a wall; boxes of 2 and 0.5 kg in turn; and
-// how often rows are looked at.
+// Exercise 10, graded: stacks, boxes on the ground, on a tray and at a wall; boxes of 2 and 0.5 kg in turn;
+// and how often rows are looked at.
 #include "exercise.cpp"
 
 namespace cairn::exercise10 {
