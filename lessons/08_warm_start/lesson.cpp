@@ -72,7 +72,6 @@ WarmStart run_all(const StartSettings& settings) {
   } while (lowest(all.few_warm) < risen(all.many_cold, question_steps));
   all.guest = follow_guest(settings, with_guest, numbered);
   for (const int boxes : {3, 5, 10, 20}) all.sweeps.push_back(sweep_cold(boxes, settings.dt));
-  all.own = sweep_cold(settings.boxes, settings.dt);
   all.library = run_library(settings);
   return all;
 }

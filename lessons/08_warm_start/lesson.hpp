@@ -46,11 +46,10 @@ struct GuestRun {
   List<Snapshot> frames = {};         // of the run by number
 };
 
-/// A cold start: the relative error of the lowest load after every sweep, 1 at sweep 0.
+/// One step from zero.
 struct ColdSweeps {
   int boxes = 0;
-  List<double> error = {};
-  int needed = 0;  // sweeps until the error is wanted_error
+  int needed = 0;  // sweeps until the error of the lowest load is wanted_error
 };
 
 /// The warm tower again, with the world's own memory.
@@ -68,7 +67,6 @@ struct WarmStart {
   int few = 0;
   GuestRun guest = {};
   List<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
-  ColdSweeps own = {};           // of this tower
   LibraryRun library = {};
 };
 

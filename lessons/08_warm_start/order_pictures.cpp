@@ -1,4 +1,4 @@
-// How the error goes, step by step and sweep by sweep, and impulses that come to the wrong row.
+// How the error goes, step by step, and impulses that come to the wrong row.
 #include "lesson.hpp"
 
 namespace cairn::warm {
@@ -41,37 +41,6 @@ void draw_errors(Page& page, const WarmStart& all) {
                         "Warm, it is also missing from the first guess. So the error swings, and a step "
                         "leaves ρ^{{s/2}} = {:.3f} of it.",
                         settings.sweeps, share, std::sqrt(share)));
-}
-
-void draw_cold_sweeps(Page& page, const WarmStart& all) {
-  const List<Rect> parts = in_columns(page, {0.62, {0.38, {0.42, 0.58}}});
-  const Color color = page.theme().outline;
-  const FixedList<SeriesStyle, 4> styles = {{{color, {2, 5}, Marker::diamond},
-                                             {color, {10, 5, 2, 5}, Marker::triangle},
-                                             {color, {10, 6}, Marker::square},
-                                             {color, {}, Marker::circle}}};
-  Plot plot{.title = "what the lowest of n contacts lacks, in one step from zero"};
-  plot.x = {.title = "sweeps", .scale = AxisScale::logarithmic, .min = 1, .max = 1500};
-  plot.y = {.scale = AxisScale::logarithmic, .min = 0.005, .max = 1};
-  for (int s = 0; s < all.sweeps.size(); ++s) {
-    const ColdSweeps& cold = all.sweeps[s];
-    Series series = over_steps("", styles[s], cold.error);
-    const auto half = std::find_if(cold.error.begin(), cold.error.end(), [](double e) { return e < 0.3; });
-    plot.labels.push_back(
-        {static_cast<double>(half - cold.error.begin()), *half, fmt::format("n = {}", cold.boxes)});
-    plot.series.push_back(series);
-  }
-  plot.goals.push_back({wanted_error, "1 %"});
-  draw_plot(page, parts[0], plot);
-  TableView table{.header = {"boxes n", "sweeps to 1 %", "formula"}};
-  for (const ColdSweeps& cold : all.sweeps) {
-    table.rows.push_back({fmt::format("{}", cold.boxes), fmt::format("{}", cold.needed),
-                          fixed(needed_by_formula(cold.boxes), 1)});
-  }
-  page.table(parts[1], "", table);
-  page.card(parts[2], "",
-            "The error spreads like heat along a rod: twice the length takes four times the "
-            "time. So twice the height takes four times the sweeps.");
 }
 
 /// The step in which loads by number are most wrong, once the tower has come to rest.
@@ -122,9 +91,6 @@ List<Shot> order_shots(const WarmStart& all) {
                "The error of the lowest load against steps, logarithmic: cold falls fast and smoothly, warm "
                "swings below a line that falls half as steeply.",
                draw_errors),
-      key_shot(all, "one step from zero",
-               "What the lowest contact lacks against sweeps, for 3, 5, 10 and 20 boxes, with 1 % marked.",
-               draw_cold_sweeps),
       key_shot(all, "a ball bounces beside it",
                "A tower with a ball beside it, and the lowest load by key, steady, and by number, shaken at "
                "every bounce.",

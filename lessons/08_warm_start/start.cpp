@@ -128,17 +128,15 @@ LibraryRun run_library(const StartSettings& settings) {
 }
 
 ColdSweeps sweep_cold(int boxes, double dt) {
-  ColdSweeps result{.boxes = boxes};
+  List<double> errors;
   // One normal row for each interface of a tower that gravity has just made fall.
   VelocityProblem<double> problem = cases::column<double>(List<double>(boxes, 1.0), gravity, dt);
-  LowestError observer(boxes * gravity * dt, result.error);
+  LowestError observer(boxes * gravity * dt, errors);
   // Twice the formula's, to be sure to get there.
   const int enough = static_cast<int>(2 * needed_by_formula(boxes)) + 10;
   SequentialImpulse({.iterations = enough}).solve(problem, &observer);
-  const auto there = std::find_if(result.error.begin(), result.error.end(),
-                                  [](double error) { return error <= wanted_error; });
-  result.needed = static_cast<int>(there - result.error.begin());
-  return result;
+  const auto there = std::ranges::find_if(errors, [](double error) { return error <= wanted_error; });
+  return {.boxes = boxes, .needed = static_cast<int>(there - errors.begin())};
 }
 
 }  // namespace cairn::warm

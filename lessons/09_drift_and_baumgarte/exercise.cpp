@@ -1,27 +1,29 @@
-// Exercise 09. Write the largest β with which a ball does not jump. Then: bash lessons/run check 9
+// Exercise 09. Write the row of a contact that removes its own error. Then: bash lessons/run check 9
 #include <algorithm>
-#include <cmath>
 
 #include "lessons/kit/exercise.hpp"
 
 namespace cairn::exercise09 {
 
-/// A ball at rest inside the ground, and how its steps are made.
-struct Sunk {
-  double depth = 0;    // [m] inside the ground, above 0
-  double slop = 0;     // [m] a depth up to this may stay: β takes its share of what is deeper
-  double gravity = 0;  // [m/s²]
-  double dt = 0;       // [s]
+/// Moves up and down only.
+struct Body {
+  double inverse_mass = 0;  // [1/kg], 0 for the ground
+  double speed = 0;         // [m/s] upwards; gravity has acted
 };
 
-// The largest β from 0 to 1 with which the ground still pushes in step 2, or would just not have to. A ball
-// that is not deeper than the slop is not moved by any β.
-double largest_beta(const Sunk& ball) {
-  double beta = std::nan("");
-  // Your code begins here: one or two lines.
+struct Rules {
+  double beta = 0;
+  double slop = 0;  // [m] a depth that is left alone: β takes its share of what is deeper
+  double dt = 0;    // [s]
+};
+
+// One visit to the contact of two bodies, one above the other. `gap` [m] is the c of the row: how far they
+// are apart, and below 0 how deep one is in the other. j·v is the speed of the upper less that of the lower.
+// The ground may be either of them. A contact pushes, and does not pull.
+void visit(double gap, const Rules& rules, Body& upper, Body& lower) {
+  // Your code begins here: about six lines.
 
   // Your code ends here.
-  return beta;
 }
 
 }  // namespace cairn::exercise09

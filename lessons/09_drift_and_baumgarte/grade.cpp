@@ -1,86 +1,149 @@
-// Exercise 09, graded: single values, and the second step of a ball with the β that was found.
+// Exercise 09, graded: single visits, and two balls that begin inside the ground.
 #include "exercise.cpp"
 
 namespace cairn::exercise09 {
 namespace {
 
-constexpr double few_roundings = 1e-14;  // of numbers near 1, after at most a dozen operations
-const char* const not_below_slop =
-    "β takes its share of what is deeper than the slop: subtract the slop from the depth.";
+constexpr double rounding = 1e-13;  // a dozen operations on numbers near 1
+constexpr double dt = 0.02;         // [s]
 
-/// A page's ball, with numbers of its own.
-ExpectedNumber without_slop(const char* what, const Sunk& ball) {
-  const double right = ball.dt * std::sqrt(ball.gravity / ball.depth);
-  const char* const fall = "There is no fall here, and no ½: the page has d ≤ g Δt²/β².";
-  return {
-      .what = what,
-      .value = right,
-      .misconceptions = {{right * right, "That is β². Take the root."},
-                         {1, "Try it: with β = 1 the ball of the page has to be less deep than 4 mm."},
-                         {right * std::sqrt(2), fall},
-                         {right / std::sqrt(2), fall},
-                         {right * std::sqrt(10 / ball.gravity),
-                          "There is less gravity here: take the gravity of the ball."},
-                         {right * 0.02 / ball.dt, "The step is not 0.02 s here: take the dt of the ball."}},
-      .tolerance = few_roundings};
+struct Visit {
+  double gap = 0;  // [m]
+  Rules rules = {};
+  Body upper = {};
+  Body lower = {};
+};
+
+/// The speeds after it [m/s].
+Visit visited(Visit one) {
+  visit(one.gap, one.rules, one.upper, one.lower);
+  return one;
 }
 
-void grade_slop(Grade& grade) {
-  const Sunk deep{.depth = 0.105, .slop = 0.005, .gravity = 10, .dt = 0.02};
-  const double forgotten = 0.02 * std::sqrt(10 / 0.105);
-  grade.number({.what = "105 mm deep with a slop of 5 mm: β",
-                .value = 0.2,
-                .misconceptions = {{forgotten, not_below_slop},
-                                   {forgotten - 0.005, not_below_slop},
-                                   {0.02 * std::sqrt(10 / 0.11), not_below_slop}},
-                .tolerance = few_roundings},
-               largest_beta(deep));
-  grade.number({.what = "4 mm deep with a slop of 5 mm: β",
+/// A ball of 2 kg and the ground: its speed afterwards [m/s].
+double ball_speed(double gap, const Rules& rules, double speed) {
+  return visited({gap, rules, {0.5, speed}, {}}).upper.speed;
+}
+
+/// Inside the ground.
+void grade_depth(Grade& grade) {
+  grade.number(
+      {.what = "2 kg, 100 mm deep, β = 1, v = −0.2 m/s: speed after (m/s)",
+       .value = 5,
+       .misconceptions = {{-0.2, "The ground has not pushed. c is below 0 inside, and ζ = −β c/Δt above 0."},
+                          {4.8, "The row asks for ζ in the end: what is missing is ζ − j·v."},
+                          {4.6, "What is missing is ζ − j·v: a ball that comes closer needs more."},
+                          {0.1, "The error is to be gone in one step: ζ = −β c/Δt, a velocity."},
+                          {0, "ζ is 0 there: inside the ground the row asks for −β c/Δt."},
+                          {2.4,
+                           "Impulse = mass times velocity, and that push is half of it: divide by Σ 1/m."},
+                          {-5.4, "The upper body is pushed up: its speed grows by the impulse times 1/m."}},
+       .tolerance = rounding},
+      ball_speed(-0.1, {1, 0, dt}, -0.2));
+  grade.number({.what = "105 mm deep, β = 0.2, slop 5 mm",
                 .value = 1,
-                .misconceptions = {{std::nan(""),
-                                    "A number below 0 has no root: what is deeper than the slop is 0 here."},
-                                   {0, "Within the slop the ball is not moved by any β: the largest is 1."}},
-                .tolerance = few_roundings},
-               largest_beta({.depth = 0.004, .slop = 0.005, .gravity = 10, .dt = 0.02}));
+                .misconceptions = {{1.05, "β takes its share of what is deeper than the slop only."},
+                                   {1.1, "What is deeper than the slop is the depth less the slop."},
+                                   {5, "β: the row removes a share of the error in each step, not all."},
+                                   {1.045, "β takes its share of what is deeper than the slop only."}},
+                .tolerance = rounding},
+               ball_speed(-0.105, {0.2, 0.005, dt}, -0.2));
+  grade.number({.what = "4 mm deep, slop 5 mm: 0, so it stays",
+                .value = 0,
+                .misconceptions = {{-0.01, "Within the slop the row asks for 0: it must not sink further."},
+                                   {-0.2, "Within the slop the row asks for 0: it must not sink further."}},
+                .tolerance = rounding},
+               ball_speed(-0.004, {0.2, 0.005, dt}, -0.2));
 }
 
-/// λ Δt² [m] of the second step of a ball of 1 kg with this β, before it is clamped: the ground still pushes
-/// where it is above 0.
-double second_push(const Sunk& ball, double beta) {
-  const double speed = beta * (ball.depth - ball.slop) / ball.dt;
-  const double left = ball.depth - speed * ball.dt - ball.slop;
-  return (beta * left / ball.dt - (speed - ball.gravity * ball.dt)) * ball.dt;
+/// Outside the ground, and on the way out.
+void grade_gap(Grade& grade) {
+  const char* const in_the_air =
+      "Above the ground β has no part: ζ = −c/Δt, down to the surface in this step.";
+  grade.number(
+      {.what = "3 mm above, β = 0.2, v = −0.2 m/s",
+       .value = -0.15,
+       .misconceptions = {{0, "It hangs in the air: above the ground it may come down, ζ = −c/Δt."},
+                          {-0.03, in_the_air},
+                          {0.03, in_the_air},
+                          {0.15, "Above the ground ζ is negative: it may come down by c."},
+                          {-0.2, "It falls 1 mm into the ground: 3 mm are left for this step, ζ = −c/Δt."},
+                          {-0.05, "The slop is a depth inside the ground; here is none."}},
+       .tolerance = rounding},
+      ball_speed(0.003, {0.2, 0.002, dt}, -0.2));
+  grade.number({.what = "on the ground, v = 4.8 m/s upwards: it leaves",
+                .value = 4.8,
+                .misconceptions = {{0, "That pulls it back. A contact pushes only: no impulse below 0."}},
+                .tolerance = rounding},
+               ball_speed(0, {1, 0, dt}, 4.8));
+}
+
+/// 2 kg above 0.5 kg, 10 mm in each other, β = ½: ζ = 0.25 m/s, j·v = −1.5 m/s, Σ 1/m = 2.5 per kg: 0.7 N s.
+void grade_two_bodies(Grade& grade) {
+  const Visit two = visited({-0.01, {0.5, 0, dt}, {0.5, -1}, {2, 0.5}});
+  grade.number(
+      {.what = "2 kg on 0.5 kg, 10 mm, β = ½: speed of the upper (m/s)",
+       .value = -0.65,
+       .misconceptions = {{0.75, "Both bodies give way: j M⁻¹ jᵀ = 1/m + 1/m."},
+                          {0.25, "j·v: the speed of the upper less that of the lower; and both give way."},
+                          {-0.85, "j·v is the speed of the upper less that of the lower."},
+                          {-0.75, "j·v is the speed of the upper less that of the lower."}},
+       .tolerance = rounding},
+      two.upper.speed);
+  grade.number({.what = "and of the lower",
+                .value = -0.9,
+                .misconceptions = {{0.5, "What pushes the upper up, pushes the lower down."},
+                                   {1.9, "The lower gets the opposite impulse."},
+                                   {0.15, "Each body divides the impulse by its own mass."}},
+                .tolerance = rounding},
+               two.lower.speed);
+  const Visit ceiling = visited({0, {0.5, 0, dt}, {0, 0}, {0.5, 3}});
+  grade.number({.what = "2 kg meet a ceiling at 3 m/s: speed after (m/s)",
+                .value = 0,
+                .misconceptions = {{3, "The upper body may be the one that cannot move."},
+                                   {std::nan(""), "The upper body may be the one that cannot move."},
+                                   {-std::numeric_limits<double>::infinity(),
+                                    "The upper body may be the one that cannot move."}},
+                .tolerance = rounding},
+               ceiling.lower.speed);
+}
+
+/// [m] How high a ball of 2 kg comes that begins at rest this deep.
+double highest(double depth, double beta) {
+  double height = -depth, top = height;
+  Body ball{.inverse_mass = 0.5}, ground;
+  for (int step = 0; step < 200; ++step) {
+    ball.speed -= 10 * dt;
+    visit(height, {beta, 0, dt}, ball, ground);
+    height += ball.speed * dt;
+    top = std::max(top, height);
+  }
+  return top;
 }
 
 }  // namespace
 
 Exercise exercise() {
-  return {
-      .lesson = 9,
-      .task = "The largest β with which the ground still pushes in step 2, for any depth, slop and step.",
-      .file = "lessons/09_drift_and_baumgarte/exercise.cpp",
-      .hints = {"The page says how deep a ball may be for a given β. Turn that round.",
-                "A slop changes the depth that counts, in both steps. What if nothing of it is left?",
-                "Do three by hand: 100 mm, 1 mm, and 4 mm with a slop of 5 mm. Two of them give the same β."},
-      .grade = [](Grade& grade) {
-        const Sunk moon{.depth = 0.3, .gravity = 1.6, .dt = 0.05};
-        grade.number(
-            without_slop("100 mm deep, 10 m/s², Δt = 0.02 s: β", {.depth = 0.1, .gravity = 10, .dt = 0.02}),
-            largest_beta({.depth = 0.1, .gravity = 10, .dt = 0.02}));
-        grade.number(without_slop("0.4 m deep, 10 m/s², Δt = 1/60 s: β",
-                                  {.depth = 0.4, .gravity = 10, .dt = 1.0 / 60}),
-                     largest_beta({.depth = 0.4, .gravity = 10, .dt = 1.0 / 60}));
-        grade.number(without_slop("0.3 m deep, 1.6 m/s², Δt = 0.05 s: β", moon), largest_beta(moon));
-        grade.number(
-            {.what = "that ball: push of step 2, times Δt²/m (m)", .value = 0, .tolerance = few_roundings},
-            second_push(moon, largest_beta(moon)));
-        grade.number({.what = "1 mm deep, 10 m/s², Δt = 0.02 s: β",
-                      .value = 1,
-                      .misconceptions = {{2, "β is at most 1: above that, the error changes its sign."}},
-                      .tolerance = few_roundings},
-                     largest_beta({.depth = 0.001, .gravity = 10, .dt = 0.02}));
-        grade_slop(grade);
-      }};
+  return {.lesson = 9,
+          .task = "One visit to a contact that removes its own error: ζ of both cases, λ, both bodies.",
+          .file = "lessons/09_drift_and_baumgarte/exercise.cpp",
+          .hints = {"The page has this row for a ball of 1 kg on the ground. What is j M⁻¹ jᵀ here?",
+                    "ζ: above, −gap/Δt; inside, β/Δt times what is deeper than the slop, or 0.",
+                    "The impulse is (ζ − j·v) / Σ 1/m, at least 0. The upper body gets it, the lower its "
+                    "opposite."},
+          .grade = [](Grade& grade) {
+            grade_depth(grade);
+            grade_gap(grade);
+            grade_two_bodies(grade);
+            // The page's ball. 200 steps of a few roundings of numbers up to 5.
+            grade.number(
+                {.what = "begins 100 mm deep, β = 1: rises to (m)", .value = 1.2, .tolerance = 1e-11},
+                highest(0.1, 1));
+            // By 20 mm in step 1; from then on the row asks for what the ball has, or more.
+            grade.number(
+                {.what = "with β = 0.2: above the surface by at most (m)", .value = 0, .tolerance = 1e-11},
+                std::max(0.0, highest(0.1, 0.2)));
+          }};
 }
 
 }  // namespace cairn::exercise09

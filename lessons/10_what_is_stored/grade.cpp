@@ -1,4 +1,5 @@
-// Exercise 10, graded: stacks, boxes on the ground, on a tray and at a wall; boxes of 2 and 0.5 kg in turn.
+// Exercise 10, graded: stacks, boxes on the ground, on a tray and at a wall; boxes of 2 and 0.5 kg in turn;
+// and how often rows are looked at.
 #include "exercise.cpp"
 
 namespace cairn::exercise10 {
@@ -26,70 +27,87 @@ List<double> masses(int boxes, double of_ground) {
   return inverse;
 }
 
+/// On each other: what the answer gives with a row for each contact, and with two.
+void grade_stacks(Grade& grade, double beside) {
+  const char* const filed = "File a row under both of its bodies, and go from a row to both of its bodies.";
+  const double one = entries(Rows(stack_rows(4, 1)), masses(4, 0));
+  const double two = entries(Rows(stack_rows(4, 2)), masses(4, 0));
+  // A stack: n on the diagonal, and 2 (n - 1) beside it.
+  grade.number(
+      {.what = "4 boxes on each other, a row each",
+       .value = 10,
+       .misconceptions =
+           {{6, two == 24 ? filed : "The diagonal counts too: a row shares its bodies with itself."},
+            {7, two == 28 ? filed : "A has two halves: A_ij and A_ji."},
+            {3, two == 12 ? filed : "A has two halves, A_ij and A_ji, and a diagonal."},
+            {8, beside == 0 ? "One body that can move is enough: rows on the ground count as well."
+                            : "A row is left out: begin with row 0, and end with the last."},
+            {1, "It is bodies that can move that couple: an inverse mass above 0."},
+            {16, "Rows 1 and 3 share no body: their entry is 0."},
+            {13, "A pair of rows that shares two bodies is one entry, not two."},
+            {4, "A row meets its neighbours: the first body of one row may be the second of another."},
+            {0, "A body can move whatever its mass: the inverse mass is above 0."}},
+       .tolerance = 0},
+      one);
+  // Each entry becomes a block of 2 x 2.
+  grade.number({.what = "4 boxes on each other, two rows each",
+                .value = 40,
+                .misconceptions = {{22, "Rows share bodies, whatever their places in the list."}},
+                .tolerance = 0},
+               two);
+}
+
+/// Beside each other: what couples is a body that can move.
+void grade_grounds(Grade& grade, double beside) {
+  grade.number(
+      {.what = "5 boxes side by side on the ground",
+       .value = 5,
+       .misconceptions = {{25, "They share the ground only, and M⁻¹ of the ground is 0: so is A_ij."}},
+       .tolerance = 0},
+      beside);
+  grade.number({.what = "5 boxes on a tray that can move",
+                .value = 25,
+                .misconceptions = {{5, "The tray can move: it couples all rows that act on it."},
+                                   {30, "A row shares two bodies with itself: one entry, not two."}},
+                .tolerance = 0},
+               entries(Rows(side_by_side(5)), masses(5, 0.25)));
+  // Body 3 is the wall, and the second body of its rows.
+  grade.number({.what = "3 boxes at a wall, two of them also at each other",
+                .value = 8,
+                .misconceptions = {{14, "The wall cannot move, and it is the second body of its rows."}},
+                .tolerance = 0},
+               entries(Rows({{0, 3}, {1, 3}, {2, 3}, {0, 1}}), {0.5, 2, 0.5, 0}));
+}
+
+/// A row of a stack meets six at most: whoever looks at all pairs, looks at each row 2000 times.
+void grade_looks(Grade& grade) {
+  constexpr int boxes = 1000;
+  constexpr long most = 32;  // at each row: eight times as often as the model answer
+  const Rows rows(stack_rows(boxes, 2));
+  grade.number({.what = "1000 boxes, two rows each", .value = 4 * (3 * boxes - 2), .tolerance = 0},
+               entries(rows, masses(boxes, 0)));
+  const long looks = rows.looks() / rows.size();
+  grade.number({.what = "how often each row was looked at, above 32", .value = 0, .tolerance = 0},
+               static_cast<double>(std::max(0L, looks - most)));
+  if (looks > most)
+    grade.explain("Each row looked at every other: keep for each body the rows that act on it, and ask it.");
+}
+
 }  // namespace
 
 Exercise exercise() {
-  return {
-      .lesson = 10,
-      .task = "How many entries of A are between rows that share a body which can move.",
-      .file = "lessons/10_what_is_stored/exercise.cpp",
-      .hints = {"For which pairs of rows is J_i M⁻¹ J_jᵀ not simply a sum of zeros?",
-                "Go through all pairs (i, j), also i = j, and look for a common body with an inverse "
-                "mass above 0.",
-                "Count if (a of i moves and is a or b of j) or (b of i moves and is a or b of j)."},
-      .grade = [](Grade& grade) {
-        const char* const cross =
-            "Four comparisons: the a and the b of row i, each with the a and the b of row j.";
-        const char* const both = "One shared body that can move is enough: or, not and.";
-        const double two = entries(stack_rows(4, 2), masses(4, 0));
-        const double beside = entries(side_by_side(5), masses(5, 0));
-        // A stack: n on the diagonal, and 2 (n - 1) beside it.
-        grade.number(
-            {.what = "4 boxes on each other, a row each",
-             .value = 10,
-             .misconceptions = {{6, "The diagonal counts too: a row shares its bodies with itself."},
-                                {7, two == 28 ? cross : "A has two halves: A_ij and A_ji."},
-                                {3, two == 16 ? "A has two halves, A_ij and A_ji, and a diagonal." : both},
-                                {8, beside == 0
-                                        ? both
-                                        : "A row is left out: begin with row 0, and end with the last."},
-                                {9, "The first row meets its neighbour as well: box 1 can move."},
-                                {1, "It is bodies that can move that couple: an inverse mass above 0."},
-                                {16, "Rows 1 and 3 share no body: their entry is 0."},
-                                {13, "A pair of rows that shares two bodies is one entry, not two."},
-                                {4,
-                                 "A row meets its neighbours: the first body of one row may be the second of "
-                                 "another."},
-                                {0, "A body can move whatever its mass: the inverse mass is above 0."}},
-             .tolerance = 0},
-            entries(stack_rows(4, 1), masses(4, 0)));
-        // Each entry becomes a block of 2 x 2.
-        grade.number({.what = "4 boxes on each other, two rows each",
-                      .value = 40,
-                      .misconceptions = {{22, "Rows share bodies, whatever their places: look at all pairs."},
-                                         {28, cross}},
-                      .tolerance = 0},
-                     two);
-        grade.number(
-            {.what = "5 boxes side by side on the ground",
-             .value = 5,
-             .misconceptions = {{25, "They share the ground only, and M⁻¹ of the ground is 0: so is A_ij."}},
-             .tolerance = 0},
-            beside);
-        grade.number({.what = "5 boxes on a tray that can move",
-                      .value = 25,
-                      .misconceptions = {{5, "The tray can move: it couples all rows that act on it."},
-                                         {30, "A row shares two bodies with itself: one entry, not two."}},
-                      .tolerance = 0},
-                     entries(side_by_side(5), masses(5, 0.25)));
-        // Body 3 is the wall, and the second body of its rows.
-        grade.number(
-            {.what = "3 boxes at a wall, two of them also at each other",
-             .value = 8,
-             .misconceptions = {{14, "The wall cannot move, and it is the second body of its rows."}},
-             .tolerance = 0},
-            entries({{0, 3}, {1, 3}, {2, 3}, {0, 1}}, {0.5, 2, 0.5, 0}));
-      }};
+  return {.lesson = 10,
+          .task = "How many entries of A are between rows that share a body which can move, in time.",
+          .file = "lessons/10_what_is_stored/exercise.cpp",
+          .hints = {"Which rows act on a body? Write that down first, for each body that can move.",
+                    "A row meets the rows of its two bodies, itself among them.",
+                    "Who is on both bodies must count once: remember the last row that met each."},
+          .grade = [](Grade& grade) {
+            const double beside = entries(Rows(side_by_side(5)), masses(5, 0));
+            grade_stacks(grade, beside);
+            grade_grounds(grade, beside);
+            grade_looks(grade);
+          }};
 }
 
 }  // namespace cairn::exercise10

@@ -12,30 +12,45 @@ ArrowScale force_scale(const Camera& camera, const Slide& slide) {
   return scale;
 }
 
-/// An arrow whose label stands at its tip: beside the middle it would stand upon the block.
-void draw_force(Page& page, const Camera& camera, const ArrowScale& scale, const render::Arrow& arrow,
-                const std::string& text) {
-  draw_arrow(page, camera, scale, arrow);
-  const Point tip =
-      camera.project(arrow.tail) + scale.pixels_per_unit * Point(arrow.value.x(), -arrow.value.y());
+struct Force {
+  render::Arrow arrow = {};
+  std::string text = "";
+};
+
+/// Writes the label at the arrow's tip: beside the middle it would stand upon the block.
+void label_force(Page& page, const Camera& camera, const Rect& panel, const ArrowScale& scale,
+                 const Force& force) {
+  const Vec2<double>& value = force.arrow.value;
+  const Point tip = camera.project(force.arrow.tail) + scale.pixels_per_unit * Point(value.x(), -value.y());
   TextStyle style = page.value();
   style.size *= 1.15;
   style.halo = page.theme().background;
-  const double width = page.canvas().text_width(text, style);
+  const double width = page.canvas().text_width(force.text, style);
   const double size = style.size;
-  const double side = arrow.value.x() < 0 ? -width : 0;
-  List<Point> places = {tip + Point(arrow.value.x() < 0 ? -width - 8 : 16, size / 3)};
-  if (arrow.value.y() < 0) places.insert(places.begin(), tip + Point(side, 1.4 * size));
-  // Clear of the bracket that may stand at the tip.
-  if (arrow.value.y() < 0) places.insert(places.begin(), tip + Point(size, -size));
-  if (arrow.value.x() < 0) {
-    // Below the shaft, which comes down to the right from the tip.
-    const double drop = 0.8 * width * std::abs(arrow.value.y() / arrow.value.x());
-    places.insert(places.begin(), tip + Point(-0.2 * width, drop + 1.7 * size));
+  const double side = value.x() < 0 ? -width : 0;
+  List<Point> places;
+  if (value.x() < 0) {
+    // Below the shaft, which comes down to the right from the tip, and where others stand there, below them.
+    const double drop = 0.8 * width * std::abs(value.y() / value.x());
+    const double left = std::max(tip.x() - 0.2 * width, panel.x + 6);
+    for (int line = 0; line < 6; ++line) places.push_back({left, tip.y() + drop + (1.7 + 1.4 * line) * size});
   }
+  if (value.y() < 0) {
+    places.push_back(tip + Point(size, -size));  // clear of the bracket that may stand at the tip
+    places.push_back(tip + Point(side, 1.4 * size));
+  }
+  places.push_back(tip + Point(value.x() < 0 ? -width - 8 : 16, size / 3));
   places.push_back(tip + Point(side, -10));
-  for (Point& place : places) place.x() = std::max(place.x(), page.area().x);
-  page.place_text(places, page.area(), text, style);
+  page.place_text(places, panel, force.text, style);
+}
+
+/// The labels of short arrows give way to those of long ones.
+void draw_forces(Page& page, const Camera& camera, const Rect& panel, const ArrowScale& scale,
+                 List<Force> forces) {
+  for (const Force& force : forces) draw_arrow(page, camera, scale, force.arrow);
+  std::ranges::stable_sort(forces, std::ranges::greater(),
+                           [](const Force& force) { return force.arrow.value.norm(); });
+  for (const Force& force : forces) label_force(page, camera, panel, scale, force);
 }
 
 std::string newtons(const std::string& name, double value) { return name + " " + fixed(value, 2) + " N"; }
@@ -80,29 +95,30 @@ void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corn
   const ArrowScale scale = force_scale(camera, slide);
   const Vec2<double> downhill = slide.slope.downhill();
   const Coulomb law = coulomb(slide.slope, slide.block);
+  List<Force> forces;
   for (const SnapshotContact& contact : now.contacts) {
     const double load = contact.normal_impulse / now.dt;
     const double held = solved ? std::abs(contact.friction_impulse) / now.dt : 0.5 * law.given();
     if (solved) {
       draw_friction_limit(page, camera, scale, contact.position, downhill, contact.friction * load);
-      draw_force(page, camera, scale,
-                 {.kind = ArrowKind::normal, .tail = contact.position, .value = load * slide.slope.normal()},
-                 newtons("λ_{n}", load));
+      forces.push_back(
+          {{.kind = ArrowKind::normal, .tail = contact.position, .value = load * slide.slope.normal()},
+           newtons("λ_{n}", load)});
     }
     // While it is asked for, only its direction is drawn: dashed, and equally long at both corners.
-    draw_force(page, camera, scale,
-               {.kind = solved ? ArrowKind::friction : ArrowKind::external,
-                .tail = contact.position,
-                .value = -held * downhill},
-               solved ? newtons("λ_{t}", held) : "? N");
+    forces.push_back({{.kind = solved ? ArrowKind::friction : ArrowKind::external,
+                       .tail = contact.position,
+                       .value = -held * downhill},
+                      solved ? newtons("λ_{t}", held) : "? N"});
   }
-  if (!solved) return;
-  draw_force(page, camera, scale,
-             {.kind = ArrowKind::external,
-              .tail = now.bodies[first_block].pose.position,
-              .value = law.needed * downhill},
-             newtons("m g sin α", law.needed));
-  draw_key(page, rect, scale);
+  if (solved) {
+    forces.push_back({{.kind = ArrowKind::external,
+                       .tail = now.bodies[first_block].pose.position,
+                       .value = law.needed * downhill},
+                      newtons("m g sin α", law.needed)});
+    draw_key(page, rect, scale);
+  }
+  draw_forces(page, camera, rect, scale, forces);
 }
 
 }  // namespace cairn::friction

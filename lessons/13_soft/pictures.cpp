@@ -83,7 +83,7 @@ void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const We
               ArrowKind::inactive, 46);
   TextStyle name = aligned(page.label(), Align::center);
   const Point at = camera.project({x, -0.08});
-  page.canvas().text({at.x(), at.y() + name.size}, is_soft ? "soft row" : "rod: γ = 0, same β", name);
+  page.canvas().text({at.x(), at.y() + name.size}, is_soft ? "soft row" : "rod, same β", name);
 }
 
 /// Both weights.

@@ -262,13 +262,13 @@ double direction_of(const Vec2<double>& place) { return std::atan2(place.y(), pl
 void draw_directions(Page& page, const Slides& all, int count) {
   const List<Rect> parts = in_columns(page, {0.46, {0.54, {0.5, 0.5}}});
   draw_stops(page, parts[0], all, count);
-  Plot length{.title = "distance to the stop / (v²/2μg), dashed: by formula"};
+  Plot length{.title = "distance to the stop / (v²/2μg)"};
   length.x = {.title = "direction of the start (°)", .min = 0, .max = 90};
   length.y = {.title = "", .min = 0.6, .max = 1.1};
   length.series = over_direction(page, all, count, length_of);
   length.goals = {{std::sqrt(0.5), "1/√2"}};
   draw_plot(page, parts[1], length);
-  Plot angle{.title = "direction of the stop (°), dashed: by formula"};
+  Plot angle{.title = "direction of the stop (°)"};
   angle.x = length.x;
   angle.y = {.title = "", .min = 0, .max = 90};
   angle.series = over_direction(page, all, count, direction_of);
