@@ -44,7 +44,7 @@ TEST_CASE("the lesson book has a page for every lesson, under 20 MB in all") {
     CHECK(book.pages.at("index.html").find("href=\"" + page + "\"") != std::string::npos);
   }
   for (const char* page :
-       {"index", "glossary", "equations", "notation", "prerequisites", "search", "teachers"}) {
+       {"index", "conclusion", "glossary", "equations", "notation", "prerequisites", "search", "teachers"}) {
     CAPTURE(page);
     CHECK(book.pages.count(page + std::string(".html")) == 1);
   }
