@@ -159,17 +159,17 @@ void draw_triangle(Page& page, const Rect& rect, double half, double longer) {
   const double size = page.label().size, sag = hangs_by(half, longer);
   const double scale = (inside.width - 5 * size) / half, level = inside.y + 0.3 * inside.height;
   const Point bank = {inside.x, level}, middle = {inside.x + scale * half, level};
-  const Point low = {middle.x, level + scale * sag};
+  const Point low = {middle.x(), level + scale * sag};
   const Stroke thin{.width = page.sizes().axis, .color = page.theme().secondary_text};
   page.canvas().line(bank, middle, thin);
   page.canvas().line(middle, low, {.width = page.sizes().curve, .color = page.theme().text});
   page.canvas().line(bank, low, {.width = page.sizes().curve, .color = page.theme().text});
-  const double centre = (bank.x + middle.x) / 2;
+  const double centre = (bank.x() + middle.x()) / 2;
   const TextStyle label = aligned(page.label(), Align::center);
   page.canvas().text({centre, level - 0.6 * size}, fmt::format("{:g} m, level", half), label);
   page.canvas().text({centre, level + scale * sag / 2 + 1.6 * size}, fmt::format("{:.2f} m", half + longer),
                      label);
-  page.canvas().text({low.x + 0.5 * size, level + scale * sag / 2 + 0.3 * size},
+  page.canvas().text({low.x() + 0.5 * size, level + scale * sag / 2 + 0.3 * size},
                      fmt::format("{:.0f} cm", 100 * sag), page.label());
 }
 
