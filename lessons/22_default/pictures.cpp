@@ -153,40 +153,52 @@ void draw_beyond(Page& page, const DefaultRuns& runs) {
                   spaced(pile.outcomes[by_sweeps].work), spaced(pile.outcomes[at_once].work)));
 }
 
-/// What half of the bridge was when level, and what it is now, to scale.
-void draw_triangle(Page& page, const Rect& rect, double half, double longer) {
-  const Rect inside = page.panel(rect, "half of the bridge, to scale");
-  const double size = page.label().size, sag = hangs_by(half, longer);
+/// The joints of the left half, as they hang.
+void draw_joints(Page& page, const Point& bank, double scale, const Snapshot& bridge) {
+  const Vec2<double> first = bridge.joints[0].anchor_a;
+  for (int i = 0; 2 * i < bridge.joints.size(); ++i) {
+    const Vec2<double> at = bridge.joints[i].anchor_a - first;
+    page.canvas().circle(bank + scale * Point(at.x(), -at.y()), 4,
+                         {.fill = page.theme().panel, .outline = page.theme().text, .outline_width = 2});
+  }
+}
+
+/// What half of the bridge was when level, what it would be if straight, and its joints, to scale.
+void draw_triangle(Page& page, const Rect& rect, double half, const Snapshot& bridge) {
+  const Rect inside = page.panel(rect, "half of the bridge, to scale; the circles are its joints");
+  const double longer = longer_half(bridge), size = page.label().size, sag = hangs_by(half, longer);
   const double scale = (inside.width - 5 * size) / half, level = inside.y + 0.3 * inside.height;
   const Point bank = {inside.x, level}, middle = {inside.x + scale * half, level};
   const Point low = {middle.x(), level + scale * sag};
-  const Stroke thin{.width = page.sizes().axis, .color = page.theme().secondary_text};
-  page.canvas().line(bank, middle, thin);
-  page.canvas().line(middle, low, {.width = page.sizes().curve, .color = page.theme().text});
-  page.canvas().line(bank, low, {.width = page.sizes().curve, .color = page.theme().text});
-  const double centre = (bank.x() + middle.x()) / 2;
+  page.canvas().line(bank, middle, {.width = page.sizes().axis, .color = page.theme().secondary_text});
+  for (const Point& from : {middle, bank})
+    page.canvas().line(from, low, {.width = page.sizes().curve, .color = page.theme().text});
   const TextStyle label = aligned(page.label(), Align::center);
-  page.canvas().text({centre, level - 0.6 * size}, fmt::format("{:g} m, level", half), label);
-  page.canvas().text({centre, level + scale * sag / 2 + 1.6 * size}, fmt::format("{:.2f} m", half + longer),
+  page.canvas().text({(bank.x() + middle.x()) / 2, level - 0.6 * size}, fmt::format("{:g} m, level", half),
                      label);
+  page.canvas().text({bank.x() + 0.4 * scale * half, level + scale * sag / 2 + 2.4 * size},
+                     fmt::format("{:.3f} m", half + longer), label);
   page.canvas().text({low.x() + 0.5 * size, level + scale * sag / 2 + 0.3 * size},
                      fmt::format("{:.0f} cm", 100 * sag), page.label());
+  draw_joints(page, bank, scale, bridge);
 }
 
 void draw_gaps(Page& page, const DefaultRuns& runs) {
   const List<Rect> parts = in_columns(page, {0.44, {0.56, {0.5, 0.5}}});
-  const Snapshot& lowest = runs.small[the_bridge].outcomes[swept].lowest;
+  const Outcome& loose = runs.small[the_bridge].outcomes[swept];
+  const List<SnapshotJoint>& joints = loose.lowest.joints;
   BarChart gaps{.title = "20 sweeps: the gap of each joint (mm)", .digits = 3};
-  for (int i = 0; i < lowest.joints.size(); ++i)
-    gaps.bars.push_back({.name = fmt::format("joint {}", i + 1), .before = 1000 * lowest.joints[i].drift});
+  for (int i = 0; i < joints.size(); ++i)
+    gaps.bars.push_back({.name = fmt::format("joint {}", i + 1), .before = 1000 * joints[i].drift});
   draw_bars(page, parts[0], gaps);
-  const double half = 0.5 * runs.settings.planks, longer = longer_half(lowest);
-  draw_triangle(page, parts[1], half, longer);
-  page.note(parts[2], "Millimetres become decimetres",
-            fmt::format("All gaps together are {:.1f} cm, so each half is {:.1f} cm longer. By Pythagoras it "
-                        "hangs by {:.0f} cm. The load has sunk by {:.0f} cm.",
-                        200 * longer, 100 * longer, 100 * hangs_by(half, longer),
-                        100 * runs.small[the_bridge].outcomes[swept].sunk));
+  const double half = 0.5 * runs.settings.planks, longer = longer_half(loose.lowest);
+  draw_triangle(page, parts[1], half, loose.lowest);
+  page.note(
+      parts[2], "A root makes much of little",
+      fmt::format("All gaps together are {:.1f} cm, so either half is {:.1f} cm longer. Straight, it "
+                  "hangs by √(2 · {:g} m · {:.3f} m) = {:.0f}\u00a0cm. The bridge is curved: its load has "
+                  "sunk by {:.0f} cm.",
+                  200 * longer, 100 * longer, half, longer, 100 * hangs_by(half, longer), 100 * loose.sunk));
 }
 
 Shot asking_shot(const Trials& loaded) {
@@ -222,29 +234,28 @@ Shot answering_shot(const Trials& loaded) {
 }  // namespace
 
 List<Shot> default_shots(const DefaultRuns& runs) {
-  return {
-      asking_shot(runs.small[the_bridge]),
-      key_shot(runs, "the gaps",
-               "Bars of millimetres, one for each joint of the bridge; and a triangle, half of the "
-               "bridge level and hanging, hardly longer but far lower.",
-               draw_gaps),
-      key_shot(runs, "more sweeps",
-               "How far the load of the bridge sinks against sweeps, a straight line that falls slowly, "
-               "far above the dashed line of all rows at once.",
-               draw_sweeps),
-      key_shot(runs, "beam",
-               "The beam by default, level, and under 20 sweeps, its end more than two metres lower.",
-               draw_beam),
-      parts_shot(runs.small[the_bridge]),
-      key_shot(runs, "what it leaves, and what it costs",
-               "Four panels of bars, one for each part that is off, with what it leaves and its row "
-               "updates: 20 sweeps leave the most, the default leaves the least.",
-               draw_trades),
-      key_shot(runs, "beyond 300 freedoms",
-               "The top of the tower sinks ever faster under sweeps and not at all under newton; the "
-               "pile overlaps by a few millimetres under both.",
-               draw_beyond),
-      answering_shot(runs.small[the_bridge])};
+  return {asking_shot(runs.small[the_bridge]),
+          key_shot(runs, "the gaps",
+                   "Bars of millimetres, one for each joint of the bridge; and a triangle, half of the "
+                   "bridge level and hanging, hardly longer but far lower.",
+                   draw_gaps),
+          key_shot(runs, "more sweeps",
+                   "How far the load of the bridge sinks against sweeps, a straight line that falls slowly, "
+                   "far above the dashed line of all rows at once.",
+                   draw_sweeps),
+          key_shot(runs, "beam",
+                   "The beam by default, level, and under 20 sweeps, its end more than two metres lower.",
+                   draw_beam),
+          parts_shot(runs.small[the_bridge]),
+          key_shot(runs, "what it leaves, and what it costs",
+                   "Four panels of bars, one for each part that is off, with what it leaves and its row "
+                   "updates: 20 sweeps leave the most, the default leaves the least.",
+                   draw_trades),
+          key_shot(runs, "beyond 300 freedoms",
+                   "The top of the tower sinks ever faster under sweeps and not at all under newton; the "
+                   "pile overlaps by a few millimetres under both.",
+                   draw_beyond),
+          answering_shot(runs.small[the_bridge])};
 }
 
 }  // namespace cairn::usual
