@@ -89,14 +89,14 @@ Camera draw_tower(Page& page, const Rect& rect, const TowerRuns& runs, const Sna
 /// SI's tower and its loads, and what is asked of Box2D.
 void draw_question(Page& page, const Rect& rect, const TowerRuns& runs) {
   const List<Bars> bars = bars_of(page, runs, runs.warm);
-  const Camera camera = draw_tower(page, rect, runs, runs.warm[1].frames[asked_step], {bars[0]}, asked_step);
-  const Rect& view = camera.viewport;
+  const Rect view =
+      draw_tower(page, rect, runs, runs.warm[1].frames[asked_step], {bars[0]}, asked_step).viewport;
   for (const int e : {0, 1}) {
     TextStyle text{.size = render::large_text, .color = bars[e].style.color, .bold = true};
     text.align = Align::right;
     const std::string load = e == 0 ? fixed((*bars[0].loads)[asked_step][0], 2) : "?";
-    page.canvas().text({view.x + view.width, camera.project({0, 2.5}).y() + e * 1.4 * text.size},
-                       fmt::format("{}: {} N", bars[e].name, load), text);
+    page.canvas().text({view.x + view.width, view.y + (e + 1) * 1.4 * text.size},
+                       fmt::format("{} at the ground: {} N", bars[e].name, load), text);
   }
 }
 
