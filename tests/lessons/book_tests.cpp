@@ -210,7 +210,7 @@ TEST_CASE("two makings of the lesson book give the same bytes, and only its own 
       ++files;
     }
   }
-  CHECK(files == 3 + 3 + 8 + 3 + 3 * 2);  // lessons, their notes, references, style and scripts, covers
+  CHECK(files == 3 + 3 + 9 + 3 + 3 * 2);  // lessons, their notes, references, style and scripts, covers
 }
 
 TEST_CASE("a book that cannot be made says so, and is not half made") {
