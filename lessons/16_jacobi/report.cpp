@@ -198,11 +198,12 @@ void report(Lesson& lesson, const FeetRun& feet, const PileRun& pile) {
   print_pile(lesson, pile);
   const List<ThreadedSweeps> threaded = run_threads();
   print_threads(lesson, threaded);
-  lesson.answer({together(history_of(feet, Method::plain).lambda[1]),
-                 together(history_of(feet, Method::plain).lambda[2])},
-                0.5,
-                "Every foot sees the whole fall and stops it alone, so the box is thrown up. Above twice the "
-                "weight, the next sweep lets go altogether, and it begins again.");
+  lesson.answer(
+      {together(history_of(feet, Method::plain).lambda[1]),
+       together(history_of(feet, Method::plain).lambda[2])},
+      0.5,
+      "In the first sweep every foot sees the whole fall and stops it alone, so the box is thrown up. "
+      "In the second no foot pushes, and it begins again.");
   check_feet(lesson, feet);
   check_library(lesson, feet);
   check_pile(lesson, pile);

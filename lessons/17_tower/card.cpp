@@ -14,21 +14,19 @@ const LessonCard lesson17(
                    "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii    PGS"},
      .needs = {"lesson 03", "lesson 07"},
      .reads = {"src/reference/box2d_world.hpp", "tests/reference/tower_tests.cpp"},
-     .question = "Ten boxes of 1\u00a0kg, ten sweeps from λ\u00a0=\u00a00. SI visits the interfaces from the "
-                 "ground up and "
-                 "finds 35.24\u00a0N at the ground and 11.08\u00a0N under box 5. Box2D visits them from the "
-                 "top down. It, "
-                 "too, finds 35.24\u00a0N at the ground. How many newtons does it find under box 5?",
-     .spoilers = {"6.26", "0.00005"},
+     .question = "Ten boxes of 1\u00a0kg, ten sweeps a step. In step\u00a05 SI finds 133.51\u00a0N at the "
+                 "ground, where 100\u00a0N would be right. Box2D has another author, other data and single "
+                 "precision, and visits the contacts in the same order. By how many newtons does it differ "
+                 "from these 133.51\u00a0N?",
+     .spoilers = {"6.26", "millionth", "0.00005"},
      .unasked = {"steps"},
-     .wrong = {{{11}, {11.2}, "That the load at the ground agrees does not mean that the others do."},
-               {{50}, {70}, "Ten sweeps are far too few for the weight above: 60 N."},
-               {{12},
-                {40},
-                "From the top down, what the ground gives comes later to a box above, not sooner."}},
-     .hints = {"Sweep once by hand, from λ = 0: what does the uppermost interface get, if it is the first?",
-               "From the top down, what the ground gives climbs by one contact in each sweep.",
-               "The load under box 5 is four sweeps late: it is what SI has there after six sweeps."},
+     .wrong = {{{30}, {40}, "Then Box2D would be right, with ten sweeps. Ten are too few for anybody."},
+               {{0.05},
+                {30},
+                "Both visit the same rows, in the same order, as often. What is left to differ?"}},
+     .hints = {"What does a load depend on, if the rows, their order and the number of sweeps are given?",
+               "Only on how the sums are rounded.",
+               "Single precision keeps 24 bits, some seven digits, of 133.51\u00a0N."},
      .parameters = {{"bodies", 10, 1, 20, "", "boxes", Parameter::Kind::whole},
                     {"dt", 0.02, 0.001, 0.05, "s", "time step"},
                     {"gravity", 10, 0.1, 100, "m/s^2", "gravity, downwards"},

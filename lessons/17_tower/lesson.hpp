@@ -14,6 +14,8 @@ struct TowerSettings {
   bool warm_start = true;
 };
 
+inline constexpr int asked_step = 5;  // whose load at the ground is asked for
+
 using Loads = List<List<double>>;  // [step][interface] [N]; interface 0 is the ground's
 
 /// What one engine did. Frame k is the state after k steps; frame 0 is the start.
@@ -53,6 +55,8 @@ double largest_gap(const Loads& first, const Loads& second, int frames);
 int steps_as_tower(const List<EngineRun>& runs);
 /// Of SI's loads and Box2D's, warm or cold, as long as it is a tower [N].
 double gap_to_box2d(const TowerRuns& runs);
+/// Of their loads at the ground in the step that is asked for, warm [N].
+double gap_asked(const TowerRuns& runs);
 /// Of SI's loads from the ground up and Box2D's from the top down [N].
 double gap_of_orders(const TowerRuns& runs);
 

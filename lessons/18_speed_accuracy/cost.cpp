@@ -3,7 +3,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <chrono>
 
 #include <cairn/constraints/converted.hpp>
 #include <cairn/validation/column.hpp>
@@ -153,67 +152,12 @@ void look_closer(CostRun& run) {
   watch<double>(pgs, boxes, 0, run.pgs);
   watch<float>(single, boxes, 0, run.single);
   run.frames = {.warm = follow_frames(run.settings, true), .cold = follow_frames(run.settings, false)};
-  run.times = measure_times();
-  measure_storage(run);
   run.non_zeros = coupled_pairs(tower_problem(boxes));
   Scene scene;
   scene.add_ground();
   for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
   run.tower = snapshot(scene);
 }
-
-// What a row update costs on this machine, for solvers that do the same arithmetic in different ways.
-
-namespace {
-
-const int readings = 15;
-const double least_reading = 1e-3;  // [s] below it the clock itself would be seen
-
-double seconds_of(const std::function<void()>& work, int repetitions) {
-  const auto begin = std::chrono::steady_clock::now();
-  for (int i = 0; i < repetitions; ++i) work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// [ns] of one call: the least of some readings, as other programs can only make it longer.
-double least_nanoseconds(const std::function<void()>& work) {
-  const double once = seconds_of(work, 1);
-  const int repetitions =
-      static_cast<int>(std::clamp(std::ceil(least_reading / std::max(once, 1e-9)), 1.0, 1e4));
-  double least = once;
-  for (int reading = 0; reading < readings; ++reading)
-    least = std::min(least, seconds_of(work, repetitions) / repetitions);
-  return 1e9 * least;
-}
-
-template <typename Real>
-SolverTime time_of(const std::string& name, Solver<Real>& solver) {
-  SolverTime time{.name = name};
-  for (const int rows : timed_rows) {
-    const VelocityProblem<Real> problem = converted<Real>(tower_problem(rows));
-    VelocityProblem<Real> copy = problem;
-    const double nanoseconds = least_nanoseconds([&] {
-      copy.velocity = problem.velocity;
-      copy.impulse = problem.impulse;
-      solver.solve(copy);
-    });
-    time.nanoseconds.push_back(nanoseconds / (rows * timed_sweeps));
-  }
-  return time;
-}
-
-SolverTime time_of_tower_only() {
-  SolverTime time{.name = "this tower only"};
-  double kept = 0;  // or the compiler would leave everything out
-  for (const int rows : timed_rows) {
-    const double nanoseconds = least_nanoseconds([&] { kept += tower_only(rows, timed_sweeps)[0]; });
-    time.nanoseconds.push_back(nanoseconds / (rows * timed_sweeps));
-  }
-  if (!(kept > 0)) time.nanoseconds.clear();
-  return time;
-}
-
-}  // namespace
 
 List<double> tower_only(int boxes, int sweeps) {
   List<double> v(boxes + 1, -gravity * time_step);
@@ -230,29 +174,6 @@ List<double> tower_only(int boxes, int sweeps) {
   }
   impulse.erase(impulse.begin());
   return impulse;
-}
-
-List<SolverTime> measure_times() {
-  const SolverSettings settings{.iterations = timed_sweeps};
-  SequentialImpulse<double> si(settings);
-  SequentialImpulse<double> in_the_loop(settings, {.effective_mass = EffectiveMass::in_the_loop});
-  SequentialImpulse<float> single(settings);
-  Jacobi<double> jacobi({.iterations = timed_sweeps, .relaxation = 0.5});
-  AcceleratedProjectedGaussSeidel<double> accelerated(settings);
-  FactoredProjectedGaussSeidel<double> factored(settings);
-  SparseProjectedGaussSeidel<double> sparse(settings);
-  ProjectedGaussSeidel<double> dense(settings);
-  NaiveProjectedGaussSeidel<double> naive(settings);
-  return {time_of<double>("SI", si),
-          time_of<double>("Jacobi", jacobi),
-          time_of<double>("PGS with momentum", accelerated),
-          time_of<double>("sparse PGS", sparse),
-          time_of<double>("dense PGS", dense),
-          time_of<double>("naive PGS", naive),
-          time_of<double>("factored PGS", factored),
-          time_of<float>("SI in float", single),
-          time_of<double>("SI, mass in loop", in_the_loop),
-          time_of_tower_only()};
 }
 
 }  // namespace cairn::cost

@@ -2,8 +2,7 @@
 // After a few sweeps every further one leaves the same share ρ of the error, so that k sweeps leave about ρᵏ,
 // and each digit costs as many sweeps as the one before. A tower of boxes, one step from nothing: four
 // solvers, each watched sweep by sweep. One of them differs from SI by a single factor, ω, and needs a
-// twelfth of the sweeps. Then larger towers, fewer bits, warm starts, and what a row update costs on this
-// machine.
+// twelfth of the sweeps. Then larger towers, fewer bits, and warm starts.
 #include "lesson.hpp"
 
 namespace {

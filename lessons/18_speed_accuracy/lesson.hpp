@@ -12,8 +12,6 @@ inline constexpr double least_error = 1e-12;  // below it a curve ends
 inline constexpr int kept_sweeps = 200;       // of which all lambda are kept
 inline constexpr int frames = 50;             // of the warm run
 inline constexpr FixedList<int, 4> tower_sizes = {3, 5, 10, 20};
-inline constexpr FixedList<int, 3> timed_rows = {10, 50, 200};
-inline constexpr int timed_sweeps = 50;  // of each solve that is timed
 
 struct CostSettings {
   int boxes = 10;
@@ -48,27 +46,6 @@ struct WarmRun {
   List<double> cold = {};
 };
 
-/// One solver on towers of timed_rows rows.
-struct SolverTime {
-  std::string name = {};
-  List<double> nanoseconds = {};  // of one row update, with its share of all preparation
-};
-
-/// What a solver takes before its first sweep.
-struct SetUp {
-  std::string name = {};
-  double sweeps = 0;  // that take as long
-};
-
-/// Rows in memory, visited in the order of the tower.
-struct Stored {
-  int rows = 0;
-  double bytes = 0;     // of all rows
-  double in_order = 0;  // [ns] of a row update, where they are stored in that order
-  double shuffled = 0;  // [ns] where they lie anywhere
-  double change = 0;    // [N s] of the impulses between the two
-};
-
 struct CostRun {
   CostSettings settings = {};
   double omega = 1;       // of SOR
@@ -78,9 +55,6 @@ struct CostRun {
   Curve single = {};  // SI in float, as many sweeps
   List<SizeCost> sizes = {};
   WarmRun frames = {};
-  List<SolverTime> times = {};   // of this machine
-  List<SetUp> set_ups = {};      // likewise
-  List<Stored> stored = {};      // likewise: rows that fit into a cache, and rows that do not
   std::ptrdiff_t non_zeros = 0;  // of A
   Snapshot tower = {};
 };
@@ -96,7 +70,7 @@ void watch(Solver<Real>& solver, int boxes, double least, Curve& curve);
 SizeCost sweeps_to_one_percent(int boxes);
 int most_sweeps(int boxes);
 
-/// The rest of a run that has its curves: other digits, warm frames, times, and the tower to draw.
+/// The rest of a run that has its curves: other digits, warm frames, and the tower to draw.
 void look_closer(CostRun& run);
 
 /// (n - i) g [N]: what each box has to be given, from the ground up.
@@ -118,31 +92,25 @@ double sor_rate_by_matrix(int boxes, double omega);
 /// update makes it smaller.
 double error_energy(const List<double>& lambda);
 
-/// In the order of measure_times(), as far as pictures need it.
-enum : int { si_time, jacobi_time, accelerated_time, sparse_time, dense_time, naive_time };
-List<SolverTime> measure_times();
 /// What is left of SI where all is known beforehand: which bodies, which direction, which masses. One line
 /// for this kind of row, and nothing to look up. The impulses after so many sweeps [N s].
 List<double> tower_only(int boxes, int sweeps);
 
-void measure_storage(CostRun& run);
-void print_storage(Lesson& lesson, const CostRun& run);
-void check_storage(Lesson& lesson, const CostRun& run);
+void check_tower(Lesson& lesson, const CostSettings& settings);
 
 VelocityProblem<double> tower_problem(int boxes);
 
 // What is printed, checked and drawn.
 
-/// Prints errors, sweeps, times and the answer, and checks every claim.
+/// Prints errors, sweeps and the answer, and checks every claim.
 void report(Lesson& lesson, const CostRun& run);
 
-/// Errors, and no times: those are different on every run.
 CsvTable errors_table(const CostRun& run);
 
 /// The tower's loads sweep by sweep, errors against sweeps and work, and what moves them.
 List<Shot> cost_shots(const CostRun& run);
 
-/// Digits, sizes, precision, and what a row update takes on this machine.
+/// Digits and sizes.
 List<Shot> digit_shots(const CostRun& run);
 
 /// In the order of CostRun::curves: SI, Jacobi, SOR, momentum.

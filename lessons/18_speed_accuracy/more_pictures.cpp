@@ -1,4 +1,4 @@
-// Errors against sweeps and work; tower sizes, precision, the time of a row update.
+// Errors against sweeps and work, and tower sizes.
 #include "lesson.hpp"
 
 namespace cairn::cost {
@@ -60,65 +60,6 @@ void draw_sizes(Page& page, const CostRun& run) {
             "but nobody knows the best ω of a pile.");
 }
 
-void draw_precision(Page& page, const CostRun& run) {
-  const List<Rect> halves = in_rows(page, {0.74, 0.26});
-  Plot plot{.title = "error of λ, sweep by sweep"};
-  plot.x = {.title = "sweep", .min = 0, .max = run.pgs.error.size()};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 2};
-  const List<SeriesStyle> looks = render::neutral_styles(page.theme());
-  plot.series = {over_steps("float", looks[2], run.single.error),
-                 over_steps("double", looks[0], run.pgs.error)};
-  draw_plot(page, halves[0], plot);
-  const std::string least = significant(run.single.error.back(), 2);
-  page.note(
-      halves[1], "The last digits",
-      fmt::format(
-          "Both lose the same share of the error in every sweep. In float the error stops shrinking at {}: "
-          "each sweep rounds, and a rounding error spreads through the tower like any other. A "
-          "game needs far fewer digits; sweeps after that are wasted.",
-          least));
-}
-
-Plot update_plot(const Page& page, const CostRun& run) {
-  Plot plot{.title = "time of one row update (ns), this machine"};
-  plot.x = {.title = "rows", .scale = AxisScale::logarithmic, .min = 8, .max = 250};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5};
-  const Color color = page.theme().pgs.color;
-  const FixedList<std::pair<int, SeriesStyle>, 4> chosen = {
-      {{si_time, page.theme().si},
-       {sparse_time, {color, {2, 5}, Marker::diamond}},
-       {dense_time, page.theme().pgs},
-       {naive_time, {color, {10, 5, 2, 5}, Marker::triangle}}}};
-  for (const auto& one : chosen) {
-    const SolverTime& time = run.times[one.first];
-    Series series{.name = time.name, .style = one.second};
-    for (int k = 0; k < timed_rows.size(); ++k) series.add(timed_rows[k], time.nanoseconds[k]);
-    plot.series.push_back(series);
-  }
-  return plot;
-}
-
-TableView update_table(const CostRun& run) {
-  TableView table{.header = {"ns", "10 rows", "50", "200"}};
-  for (const SolverTime& time : run.times) {
-    table.rows.push_back({time.name});
-    for (int k = 0; k < timed_rows.size(); ++k) {
-      table.rows.back().push_back(significant(time.nanoseconds[k], 2));
-    }
-  }
-  return table;
-}
-
-void draw_updates(Page& page, const CostRun& run) {
-  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.64, 0.36}}});
-  draw_plot(page, parts[0], update_plot(page, run));
-  page.table(parts[1], "one row update of a tower, preparation included", update_table(run));
-  page.note(parts[2], "The machine",
-            "A row of a dense A has as many entries as there are rows, and naive PGS computes all velocities "
-            "for each λ: both grow with the tower. The last line is written for this tower only and looks "
-            "nothing up.");
-}
-
 }  // namespace
 
 List<Shot> digit_shots(const CostRun& run) {
@@ -137,16 +78,7 @@ List<Shot> digit_shots(const CostRun& run) {
           run, "3, 5, 10, 20 boxes",
           "Sweeps until 1 % is left against the number of boxes: SI's grow like its square, those with the "
           "best ω like the number.",
-          draw_sizes),
-      key_shot(run, "float, double",
-               fmt::format("Errors of SI in float and in double, sweep by sweep: float ends at {:.1e}.",
-                           run.single.error.back()),
-               draw_precision),
-      key_shot(
-          run, "time of a row update",
-          "Time of one row update against the number of rows: the same for SI and sparse PGS at any size, "
-          "growing with the rows for dense and naive PGS.",
-          draw_updates)};
+          draw_sizes)};
 }
 
 }  // namespace cairn::cost

@@ -72,15 +72,6 @@ void print_others(Lesson& lesson, const CostRun& run) {
   }
   lesson.print(line);
   lesson.print(errors);
-  line = "5. This machine, ns for one row update; rows:";
-  for (const int rows : timed_rows) line += fmt::format(" {:>9}", rows);
-  lesson.print(line);
-  for (const SolverTime& time : run.times) {
-    line = fmt::format("   {:<42}", time.name);
-    for (const double nanoseconds : time.nanoseconds)
-      line += fmt::format(" {:>9}", significant(nanoseconds, 2));
-    lesson.print(line);
-  }
   lesson.print();
 }
 
@@ -169,7 +160,6 @@ void report(Lesson& lesson, const CostRun& run) {
   print_errors(lesson, run);
   print_digits(lesson, run);
   print_others(lesson, run);
-  print_storage(lesson, run);
   lesson.answer(
       {static_cast<double>(sweeps_to(run.curves[sor_curve].error, 0.01))}, 8,
       "The neighbours of a contact give way to its correction, so that alone it is too small. With the "
@@ -177,7 +167,7 @@ void report(Lesson& lesson, const CostRun& run) {
   check_rates(lesson, run);
   check_curves(lesson, run);
   check_costs(lesson, run);
-  check_storage(lesson, run);
+  check_tower(lesson, run.settings);
 }
 
 CsvTable errors_table(const CostRun& run) {

@@ -36,10 +36,6 @@ double try_twice(int sweeps, int steps);
 /// Of the two pins in one solve of thousands of sweeps: why it ended.
 Stop try_long_quarrel();
 
-/// By how much the rod of a sling is too long after one step [m], for a turn of so many radians: it goes
-/// straight on.
-double first_step_by_formula(double turn);
-
 // Two boxes, one upon the other: how many sweeps their masses cost.
 
 inline constexpr double gravity = 10;      // [m/s^2]
@@ -76,15 +72,12 @@ int sweeps_by_formula(double ratio, double share = goal);
 /// @throws std::out_of_range for one that was not run.
 const RatioRun& run_of(const List<RatioRun>& runs, double ratio);
 
-// Eight small worlds, each driven to where it breaks or does not, and a stamp for each.
+// Four small worlds, each driven to where it breaks or does not, and a stamp for each.
 
 struct WallSettings {
   double ratio = 100;  // of the heavy box
   int sweeps = 10;     // of SI, in every step of every world
   int boxes = 50;      // in the tower
-  double speed = 45;   // [m/s] of a ball; another is ten times as fast
-  double beta = 2.1;   // of the pin that is pulled back too far
-  double turn = 0.5;   // [rad] by which the sling turns in one step
   int steps = 60;
 };
 
@@ -122,14 +115,11 @@ struct SmallWorld {
   std::function<double(const Snapshot&)> off = {};
 };
 
-/// In this order: heavy on light, light on heavy, the tower, a ball shot at a wall, one ten times as fast,
-/// the pin, the sling, two pins that contradict each other.
+/// In this order: heavy on light, light on heavy, the tower, two pins that contradict each other.
 List<SmallWorld> small_worlds(const WallSettings& settings);
 
-inline constexpr int ball = 3, fast_ball = 4, pin = 5, sling = 6, two_pins = 7;
-inline constexpr double ball_radius = 0.5;  // [m]
-inline constexpr double pin_error = 0.05;   // [m] at the start
-inline constexpr double pins_apart = 0.4;   // [m]
+inline constexpr int two_pins = 3;
+inline constexpr double pins_apart = 0.4;  // [m]
 inline constexpr double pins_beta = 0.2;
 
 /// One body, pinned in the middle to two places. It stands where the second pin wants it.
@@ -157,7 +147,7 @@ std::string name_of(double ratio);
 
 /// The ground and two boxes with their masses on them, the heavy one darker.
 void draw_boxes(Page& page, const Camera& camera, const Snapshot& now, double ratio);
-/// Eight worlds, step by step.
+/// Four worlds, step by step.
 List<Shot> wall_shots(const ExtremesRun& run);
 /// The question, the two stacks, the above, and the answer.
 List<Shot> extremes_shots(const ExtremesRun& run);

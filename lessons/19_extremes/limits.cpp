@@ -142,6 +142,4 @@ Stop try_long_quarrel() {
   return SequentialImpulse<double>({.iterations = 100000, .patience = 3}).solve(problem).stop;
 }
 
-double first_step_by_formula(double turn) { return std::sqrt(1 + turn * turn) - 1; }
-
 }  // namespace cairn::edges

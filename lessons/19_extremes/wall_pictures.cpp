@@ -1,4 +1,4 @@
-// Eight worlds on one page, each with its stamp.
+// Four worlds on one page, each with its stamp.
 #include "lesson.hpp"
 
 #include "render/lint.hpp"
@@ -22,18 +22,6 @@ double draw_stamp(Page& page, const Point& base, Stamp stamp) {
                      {.fill = fill, .outline = theme.text, .outline_width = page.sizes().axis}, 3);
   page.canvas().text({base.x() + 5, base.y()}, word, text);
   return width;
-}
-
-/// Where the last body has been, each place as a ring: what is fast is seen nowhere else.
-void draw_places(Page& page, const Camera& camera, const EdgeCase& edge, int step) {
-  const SnapshotBody& body = edge.frames[0].bodies.back();
-  const double radius = std::max(2.0, bounding_radius(body.shapes[0]) * camera.scale);
-  const int first = step > 40 ? step - 40 : 0;
-  for (int k = first; k < step; ++k) {
-    const Vec2<double>& at = edge.frames[k].bodies.back().pose.position;
-    page.canvas().circle(camera.project(at), radius,
-                         {.outline = page.theme().inactive, .outline_width = page.sizes().ghost});
-  }
 }
 
 /// A dashed line where the top of a stack belongs, with its height.
@@ -86,19 +74,11 @@ void draw_edge(Page& page, const Rect& rect, const ExtremesRun& run, int which, 
   const Camera camera = fit(view, edge.view);
   const Snapshot& now = edge.frames[step];
   page.canvas().push_clip(view);
-  if (which == ball || which == fast_ball || which == sling) draw_places(page, camera, edge, step);
-  const WorldLook look{.numbers = false,
-                       .names = {"", which == pin ? "body" : "", "ball"},
-                       .contacts = false,
-                       .penetration = false};
   if (which < 2) draw_boxes(page, camera, now, which == 0 ? run.settings.ratio : 1 / run.settings.ratio);
-  if (which >= 2) draw_world(page, camera, now, look);
+  if (which >= 2) draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
   if (which == two_pins) draw_pulls(page, camera, run, step);
   if (edge.top > 0) draw_top(page, camera, edge);
   page.canvas().pop_clip();
-  if (which == pin) page.avoid({camera.project({-0.1, 0}), camera.project({edge.view.upper.x(), 0})});
-  if (which == ball) page.avoid({camera.project({0, -1.3}), camera.project({0, 1.3})});  // the plate
-  if (which == ball || which == pin) draw_unseen(page, camera, now, look);
   const double base = inside.y + inside.height - 0.35 * page.sizes().tick;
   const List<std::string> lines = measured_lines(run, which, step);
   for (int i = 0; i < lines.size(); ++i)
@@ -128,17 +108,17 @@ void draw_wall(Page& page, const ExtremesRun& run, int step) {
   const List<Rect> lines = in_rows(page, {1, 1, 0.08});
   draw_rules(page, lines[2]);
   for (int i = 0; i < run.wall.size(); ++i) {
-    const List<Rect> panels = in_columns(page, lines[i / 4], {1, 1, 1, 1});
-    draw_edge(page, panels[i % 4], run, i, step);
+    const List<Rect> panels = in_columns(page, lines[i / 2], {1, 1});
+    draw_edge(page, panels[i % 2], run, i, step);
   }
 }
 
 Shot wall_shot(const ExtremesRun& run, int step) {
-  std::string alt = fmt::format("Eight small worlds after step {}:", step);
+  std::string alt = fmt::format("Four small worlds after step {}:", step);
   for (const EdgeCase& edge : run.wall)
     alt += fmt::format(" {}: {};", edge.name, stamp_text(stamp_of(edge, step)));
   alt.back() = '.';
-  return {.state = fmt::format("eight worlds · step {}", step),
+  return {.state = fmt::format("four worlds · step {}", step),
           .alt = alt,
           .draw = [&run, step](Page& page) { draw_wall(page, run, step); },
           .key = step == 3 || step == 10 || step == run.settings.steps};

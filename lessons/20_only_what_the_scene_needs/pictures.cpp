@@ -183,6 +183,24 @@ std::set<int> key_steps(const NeedsRun& all) {
   return keys;
 }
 
+Shot answering_shot(const NeedsRun& all) {
+  const auto draw_answer = [&all](Page& page, const Rect& rect) {
+    const List<Rect> parts = in_rows(page, rect, {0.45, 0.55});
+    draw_scene(page, parts[0], all,
+               {.title = "exit by island: row updates a step, on average",
+                .step = all.settings.steps,
+                .lines = mean_lines(all)});
+    draw_shares(page, parts[1], all);
+  };
+  const std::string answer = answer_text(all);
+  return answer_shot(
+      card(),
+      {.state = "the answer",
+       .alt = "The scene at the end, the row updates of each run as bars, and the answer: " + answer,
+       .scene = draw_answer},
+      answer);
+}
+
 }  // namespace
 
 List<Shot> needs_shots(const NeedsRun& all) {
@@ -215,21 +233,7 @@ List<Shot> needs_shots(const NeedsRun& all) {
                              "touched it, and it is awake.",
                              draw_sleep));
   }
-  const auto draw_answer = [&all](Page& page, const Rect& rect) {
-    const List<Rect> parts = in_rows(page, rect, {0.45, 0.55});
-    draw_scene(page, parts[0], all,
-               {.title = "exit by island: row updates a step, on average",
-                .step = all.settings.steps,
-                .lines = mean_lines(all)});
-    draw_shares(page, parts[1], all);
-  };
-  const std::string answer = answer_text(all);
-  shots.push_back(answer_shot(
-      card(),
-      {.state = "the answer",
-       .alt = "The scene at the end, the row updates of each run as bars, and the answer: " + answer,
-       .scene = draw_answer},
-      answer));
+  shots.push_back(answering_shot(all));
   return shots;
 }
 

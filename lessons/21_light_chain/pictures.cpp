@@ -147,6 +147,27 @@ void draw_cures(Page& page, const ChainRuns& runs) {
                   masses_needed(runs.settings)[0]));
 }
 
+Shot answering_shot(const ChainRuns& runs) {
+  const auto evidence = [&runs](Page& page, const Rect& rect) {
+    draw_plot(page, rect, growth_plot(page, runs));
+  };
+  return answer_shot(
+      card(),
+      {.state = fmt::format("after step {}", film_steps),
+       .alt = "The exactly solved chain in pieces, the one with steps of a quarter straight, the question, "
+              "the answer, and the curve of growth against load.",
+       .scene =
+           [&runs](Page& page, const Rect& rect) {
+             const List<Rect> parts = in_columns(page, rect, {1, 1});
+             draw_chain(page, parts[0], runs, runs.sweeps[exactly].frames.back(), "(2) exact");
+             draw_chain(page, parts[1], runs, runs.cures[quarter_steps].frames.back(), "(3) quarter steps");
+           },
+       .evidence = evidence},
+      fmt::format("(3). A chain holds up to ω Δt = 2: {:.1f} kg here, twice that with twice the mass, and "
+                  "sixteen times that with steps of a quarter. How well rows are solved is not what decides.",
+                  runs.criticals[0].predicted));
+}
+
 }  // namespace
 
 List<Shot> chain_shots(const ChainRuns& runs) {
@@ -177,24 +198,7 @@ List<Shot> chain_shots(const ChainRuns& runs) {
                            "A chain in pieces with twice the mass, one that hangs with the mass needed, and "
                            "the distance from the line of both and with steps of a quarter.",
                            draw_cures));
-  const auto evidence = [&runs](Page& page, const Rect& rect) {
-    draw_plot(page, rect, growth_plot(page, runs));
-  };
-  shots.push_back(answer_shot(
-      card(),
-      {.state = fmt::format("after step {}", film_steps),
-       .alt = "The exactly solved chain in pieces, the one with steps of a quarter straight, the question, "
-              "the answer, and the curve of growth against load.",
-       .scene =
-           [&runs](Page& page, const Rect& rect) {
-             const List<Rect> parts = in_columns(page, rect, {1, 1});
-             draw_chain(page, parts[0], runs, runs.sweeps[exactly].frames.back(), "(2) exact");
-             draw_chain(page, parts[1], runs, runs.cures[quarter_steps].frames.back(), "(3) quarter steps");
-           },
-       .evidence = evidence},
-      fmt::format("(3). A chain holds up to ω Δt = 2: {:.1f} kg here, twice that with twice the mass, and "
-                  "sixteen times that with steps of a quarter. How well rows are solved is not what decides.",
-                  runs.criticals[0].predicted)));
+  shots.push_back(answering_shot(runs));
   return shots;
 }
 

@@ -85,6 +85,11 @@ enum : int { by_sweeps, at_once };                         // of their outcomes
 /// Steps the scene for so long [s].
 Outcome try_setting(const Kind& kind, const Setting& setting, double duration);
 
+/// [m] By how much the gaps of its joints make each half of a bridge longer.
+double longer_half(const Snapshot& bridge);
+/// [m] How far the middle of a level chain hangs down, each half of which gets longer by so much.
+double hangs_by(double half, double longer);
+
 // What is printed, checked and drawn.
 
 void report(Lesson& lesson, const DefaultRuns& runs);

@@ -7,7 +7,8 @@ namespace cairn::usual {
 namespace {
 
 std::string millimetres(double metres) {
-  return metres < 1e-5 ? "0 mm" : significant(1000 * metres, 2) + " mm";
+  if (metres < 1e-5) return "0 mm";
+  return significant(1000 * metres, metres < 0.1 ? 2 : 3) + " mm";
 }
 
 /// [m] What the picture of a scene tells.
@@ -152,54 +153,109 @@ void draw_beyond(Page& page, const DefaultRuns& runs) {
                   spaced(pile.outcomes[by_sweeps].work), spaced(pile.outcomes[at_once].work)));
 }
 
-}  // namespace
+/// The joints of the left half, as they hang.
+void draw_joints(Page& page, const Point& bank, double scale, const Snapshot& bridge) {
+  const Vec2<double> first = bridge.joints[0].anchor_a;
+  for (int i = 0; 2 * i < bridge.joints.size(); ++i) {
+    const Vec2<double> at = bridge.joints[i].anchor_a - first;
+    page.canvas().circle(bank + scale * Point(at.x(), -at.y()), 4,
+                         {.fill = page.theme().panel, .outline = page.theme().text, .outline_width = 2});
+  }
+}
 
-List<Shot> default_shots(const DefaultRuns& runs) {
-  const Trials& loaded = runs.small[the_bridge];
-  const auto draw_whole = [&loaded](Page& page, const Rect& rect) {
-    draw_scene(page, rect, loaded.kind, loaded.outcomes[nothing_off].last, "the default: all rows at once");
-  };
-  List<Shot> shots = {question_shot(
+/// What half of the bridge was when level, what it would be if straight, and its joints, to scale.
+void draw_triangle(Page& page, const Rect& rect, double half, const Snapshot& bridge) {
+  const Rect inside = page.panel(rect, "half of the bridge, to scale; the circles are its joints");
+  const double longer = longer_half(bridge), size = page.label().size, sag = hangs_by(half, longer);
+  const double scale = (inside.width - 5 * size) / half, level = inside.y + 0.3 * inside.height;
+  const Point bank = {inside.x, level}, middle = {inside.x + scale * half, level};
+  const Point low = {middle.x(), level + scale * sag};
+  page.canvas().line(bank, middle, {.width = page.sizes().axis, .color = page.theme().secondary_text});
+  for (const Point& from : {middle, bank})
+    page.canvas().line(from, low, {.width = page.sizes().curve, .color = page.theme().text});
+  const TextStyle label = aligned(page.label(), Align::center);
+  page.canvas().text({(bank.x() + middle.x()) / 2, level - 0.6 * size}, fmt::format("{:g} m, level", half),
+                     label);
+  page.canvas().text({bank.x() + 0.4 * scale * half, level + scale * sag / 2 + 2.4 * size},
+                     fmt::format("{:.3f} m", half + longer), label);
+  page.canvas().text({low.x() + 0.5 * size, level + scale * sag / 2 + 0.3 * size},
+                     fmt::format("{:.0f} cm", 100 * sag), page.label());
+  draw_joints(page, bank, scale, bridge);
+}
+
+void draw_gaps(Page& page, const DefaultRuns& runs) {
+  const List<Rect> parts = in_columns(page, {0.44, {0.56, {0.5, 0.5}}});
+  const Outcome& loose = runs.small[the_bridge].outcomes[swept];
+  const List<SnapshotJoint>& joints = loose.lowest.joints;
+  BarChart gaps{.title = "20 sweeps: the gap of each joint (mm)", .digits = 3};
+  for (int i = 0; i < joints.size(); ++i)
+    gaps.bars.push_back({.name = fmt::format("joint {}", i + 1), .before = 1000 * joints[i].drift});
+  draw_bars(page, parts[0], gaps);
+  const double half = 0.5 * runs.settings.planks, longer = longer_half(loose.lowest);
+  draw_triangle(page, parts[1], half, loose.lowest);
+  page.note(
+      parts[2], "A root makes much of little",
+      fmt::format("All gaps together are {:.1f} cm, so either half is {:.1f} cm longer. Straight, it "
+                  "hangs by √(2 · {:g} m · {:.3f} m) = {:.0f}\u00a0cm. The bridge is curved: its load has "
+                  "sunk by {:.0f} cm.",
+                  200 * longer, 100 * longer, half, longer, 100 * hangs_by(half, longer), 100 * loose.sunk));
+}
+
+Shot asking_shot(const Trials& loaded) {
+  return question_shot(
       card(), {.state = fmt::format("after {:g} s", seconds),
                .alt = "A level bridge of planks between two banks with three loads on it, and the question",
-               .scene = draw_whole,
-               .place = ScenePlace::above})};
-  shots.push_back(parts_shot(runs.small[the_bridge]));
-  shots.push_back(key_shot(runs, "beam",
-                           "The beam by default, level, and under 20 sweeps, its end more than two metres "
-                           "lower.",
-                           draw_beam));
-  shots.push_back(
-      key_shot(runs, "more sweeps",
-               "How far the load of the bridge sinks against sweeps, a straight line that falls slowly, "
-               "far above the dashed line of all rows at once.",
-               draw_sweeps));
-  shots.push_back(
-      key_shot(runs, "what it leaves, and what it costs",
-               "Four panels of bars, one for each part that is off, with what it leaves and its row "
-               "updates: 20 sweeps leave the most, the default leaves the least.",
-               draw_trades));
-  shots.push_back(
-      key_shot(runs, "beyond 300 freedoms",
-               "The top of the tower sinks ever faster under sweeps and not at all under newton; the "
-               "pile overlaps by a few millimetres under both.",
-               draw_beyond));
-  const auto draw_loose = [&loaded](Page& page, const Rect& rect) {
-    draw_scene(page, rect, loaded.kind, loaded.outcomes[swept].lowest,
-               "20 sweeps in each solve, at the lowest");
-  };
+               .scene =
+                   [&loaded](Page& page, const Rect& rect) {
+                     draw_scene(page, rect, loaded.kind, loaded.outcomes[nothing_off].last,
+                                "the default: all rows at once");
+                   },
+               .place = ScenePlace::above});
+}
+
+Shot answering_shot(const Trials& loaded) {
   const Outcome& loose = loaded.outcomes[swept];
-  shots.push_back(answer_shot(
+  return answer_shot(
       card(),
       {.state = "at the lowest",
        .alt = "The bridge hanging down under 20 sweeps, the question, and the answer.",
-       .scene = draw_loose,
+       .scene =
+           [&loaded](Page& page, const Rect& rect) {
+             draw_scene(page, rect, loaded.kind, loaded.outcomes[swept].lowest,
+                        "20 sweeps in each solve, at the lowest");
+           },
        .place = ScenePlace::above},
       fmt::format(
           "{:.0f} cm, though no joint opens by more than {:.0f} mm: a level chain that is a little longer "
           "hangs a lot lower.",
-          100 * loose.sunk, std::ceil(1000 * loose.gap))));
-  return shots;
+          100 * loose.sunk, std::ceil(1000 * loose.gap)));
+}
+
+}  // namespace
+
+List<Shot> default_shots(const DefaultRuns& runs) {
+  return {asking_shot(runs.small[the_bridge]),
+          key_shot(runs, "the gaps",
+                   "Bars of millimetres, one for each joint of the bridge; and a triangle, half of the "
+                   "bridge level and hanging, hardly longer but far lower.",
+                   draw_gaps),
+          key_shot(runs, "more sweeps",
+                   "How far the load of the bridge sinks against sweeps, a straight line that falls slowly, "
+                   "far above the dashed line of all rows at once.",
+                   draw_sweeps),
+          key_shot(runs, "beam",
+                   "The beam by default, level, and under 20 sweeps, its end more than two metres lower.",
+                   draw_beam),
+          parts_shot(runs.small[the_bridge]),
+          key_shot(runs, "what it leaves, and what it costs",
+                   "Four panels of bars, one for each part that is off, with what it leaves and its row "
+                   "updates: 20 sweeps leave the most, the default leaves the least.",
+                   draw_trades),
+          key_shot(runs, "beyond 300 freedoms",
+                   "The top of the tower sinks ever faster under sweeps and not at all under newton; the "
+                   "pile overlaps by a few millimetres under both.",
+                   draw_beyond),
+          answering_shot(runs.small[the_bridge])};
 }
 
 }  // namespace cairn::usual

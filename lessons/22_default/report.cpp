@@ -31,13 +31,13 @@ void print_all(Lesson& lesson, const DefaultRuns& runs) {
     work += fmt::format("{:>8.0f}", trial.work);
   }
   for (const std::string& line : {sweeps, sunk, work}) lesson.print(line);
+  const double half = 0.5 * runs.settings.planks;
+  const double longer = longer_half(runs.small[the_bridge].outcomes[swept].lowest);
+  lesson.print(fmt::format(
+      "Under 20 sweeps the gaps of its joints make either half {:.1f} cm longer: straight, it would hang by "
+      "{:.0f} cm.",
+      100 * longer, 100 * hangs_by(half, longer)));
   lesson.print();
-}
-
-/// [m] How far the middle can hang down where every joint is open by `gap`: half of the bridge is straight.
-double lowest_by_pythagoras(const DefaultSettings& settings, double gap) {
-  const double half = 0.5 * settings.planks, longer = half + gap * (settings.planks + 1) / 2;
-  return std::sqrt(longer * longer - half * half);
 }
 
 void check_bridge(Lesson& lesson, const DefaultRuns& runs) {
@@ -45,10 +45,15 @@ void check_bridge(Lesson& lesson, const DefaultRuns& runs) {
   lesson.check_small("the default by hand, and Simulation: the bridge (m)", runs.from_simulation, 0);
   // A box of 0.8 m that tilts may be lower than the plank below it by half of its diagonal.
   const Outcome& loose = outcomes[swept];
-  const double lowest = lowest_by_pythagoras(runs.settings, loose.gap) + 0.57;
-  lesson.check_that("sweeps: the middle sinks no lower than open joints let it (m)", loose.sunk <= lowest,
-                    fmt::format("{:.2f} <= {:.2f}", loose.sunk, lowest));
+  const double hangs = hangs_by(0.5 * runs.settings.planks, longer_half(loose.lowest));
+  lesson.check_that("sweeps: the middle sinks no lower than open joints let it (m)",
+                    loose.sunk <= hangs + 0.57, fmt::format("{:.2f} <= {:.2f}", loose.sunk, hangs + 0.57));
   if (runs.settings.planks < 8 || runs.settings.density < 5 || runs.settings.density > 50) return;
+  // A load in the middle pulls a chain straight; one that is spread makes a parabola of it.
+  const double parabola = std::sqrt(0.75) * hangs;
+  lesson.check_that("sweeps: with these gaps, between a parabola and straight (m)",
+                    parabola < loose.sunk && loose.sunk < hangs,
+                    fmt::format("{:.3f} < {:.3f} < {:.3f}", parabola, loose.sunk, hangs));
   lesson.check_that("it sinks by more than ten times the widest gap of a joint", loose.sunk > 10 * loose.gap,
                     fmt::format("{:.0f} times", loose.sunk / loose.gap));
   double least = std::numeric_limits<double>::infinity();
@@ -97,15 +102,25 @@ void check_beyond(Lesson& lesson, const DefaultRuns& runs) {
 
 }  // namespace
 
+double longer_half(const Snapshot& bridge) {
+  double sum = 0;
+  for (const SnapshotJoint& joint : bridge.joints) sum += joint.drift;
+  return sum / 2;
+}
+
+double hangs_by(double half, double longer) {
+  return std::sqrt((half + longer) * (half + longer) - half * half);
+}
+
 void report(Lesson& lesson, const DefaultRuns& runs) {
   lesson.print();
   print_all(lesson, runs);
   const Outcome& loose = runs.small[the_bridge].outcomes[swept];
   lesson.answer(
       {100 * loose.sunk}, 25 * loose.sunk,
-      fmt::format("Centimetres. Joints that open by {:.0f} mm make a level chain a little longer, and a "
-                  "little longer is a lot lower.",
-                  1000 * loose.gap));
+      fmt::format("The gaps make either half of the bridge {:.1f} cm longer, and a level chain that "
+                  "is a little longer hangs a lot lower.",
+                  100 * longer_half(loose.lowest)));
   check_bridge(lesson, runs);
   check_others(lesson, runs);
   check_beyond(lesson, runs);

@@ -262,6 +262,7 @@ local function write_book()
   pages["notation.html"] = notation_page(notation)
   pages["your_solver.html"] = document_page("A solver of your own", parts.of_the_lessons("your_solver/README.md"))
   pages["prerequisites.html"] = document_page("Prerequisites", parts.of_the_lessons("prerequisites.md"))
+  pages["conclusion.html"] = document_page("What the course found", parts.of_the_lessons("conclusion.md"))
   write("search.js", search_index(pages))
   -- The pages from here on are not searched.
   for _, lesson in ipairs(book.lessons) do

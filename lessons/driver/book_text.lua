@@ -95,7 +95,11 @@ end
 local function quote_of(comment)
   local file, name = comment:match("^<!%-%- source: (%S+) (.-) %-%->")
   local command = comment:match("^<!%-%- output of: (.-) %-%->")
-  if command then return "What <code>" .. text.escaped(command:gsub(" %(not compared%)", "")) .. "</code> prints" end
+  if command then
+    local all = command:gsub(" %(not compared%)", "")
+    local first = all:match("^(.-) | ")  -- what filters it says nothing to a reader
+    return (first and "From what <code>" or "What <code>") .. text.escaped(first or all) .. "</code> prints"
+  end
   local path = file and file:gsub("%.%./", "")
   return file and "<code>" .. name .. "</code> in <code>" .. path .. "</code>", file and path .. "-" .. name
 end
@@ -124,7 +128,8 @@ local function led_on(target, places)
   if target:find("^http") or target:find("^#") or target:find("^playground%.html") then return target end
   local page = target:match("(%d%d_[%w_]+)/README%.md$")
   return places.files[target] or places.pages[page] or target:find("NOTATION%.md") and "notation.html" or
-    target:find("your_solver/README%.md") and "your_solver.html" or target:find("glossary%.md") and "glossary.html"
+    target:find("your_solver/README%.md") and "your_solver.html" or
+    target:find("glossary%.md") and "glossary.html" or target:find("conclusion%.md") and "conclusion.html"
 end
 
 local function block_filter_for(places)

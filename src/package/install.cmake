@@ -72,7 +72,7 @@ if(TARGET lessons)
   install(DIRECTORY lessons DESTINATION ${data_folder} COMPONENT programs
           FILES_MATCHING REGEX "/[0-9][0-9]_[a-z_]+/(README|teaching)\\.md$"
           REGEX "/[0-9][0-9]_[a-z_]+/(exercise\\.cpp|model\\.txt|covers\\.txt)$"
-          REGEX "/lessons/(glossary|prerequisites)\\.md$" REGEX "/your_solver/(README\\.md|stages/[0-9]+\\.txt)$"
+          REGEX "/lessons/(conclusion|glossary|prerequisites)\\.md$" REGEX "/your_solver/(README\\.md|stages/[0-9]+\\.txt)$"
           REGEX "/driver/book(_[a-z]+)?\\.(css|html|js|lua|md)$"
           REGEX "/(sandbox|scenes|template)$" EXCLUDE)
   install(FILES src/NOTATION.md DESTINATION ${data_folder}/src COMPONENT programs)

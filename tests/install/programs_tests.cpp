@@ -116,7 +116,8 @@ TEST_CASE("the installed driver makes a book, and knows what the lessons cover")
   const fs::path book = installed.elsewhere / "made";
   CHECK(file_has(book / "lesson03.html", "Your code begins here"));
   CHECK(file_has(book / "lesson03.html", "your_solver.html"));  // it is a stage
-  for (const char* page : {"glossary", "notation", "prerequisites", "your_solver", "teachers", "index"})
+  for (const char* page :
+       {"conclusion", "glossary", "notation", "prerequisites", "your_solver", "teachers", "index"})
     CHECK(file_has(book / (page + std::string(".html")), "</p>"));
   for (const char* file : {"book.css", "book.js"}) CHECK(fs::file_size(book / file) > 0);
 }

@@ -44,7 +44,7 @@ TEST_CASE("the lesson book has a page for every lesson, under 20 MB in all") {
     CHECK(book.pages.at("index.html").find("href=\"" + page + "\"") != std::string::npos);
   }
   for (const char* page :
-       {"index", "glossary", "equations", "notation", "prerequisites", "search", "teachers"}) {
+       {"index", "conclusion", "glossary", "equations", "notation", "prerequisites", "search", "teachers"}) {
     CAPTURE(page);
     CHECK(book.pages.count(page + std::string(".html")) == 1);
   }
@@ -210,7 +210,7 @@ TEST_CASE("two makings of the lesson book give the same bytes, and only its own 
       ++files;
     }
   }
-  CHECK(files == 3 + 3 + 8 + 3 + 3 * 2);  // lessons, their notes, references, style and scripts, covers
+  CHECK(files == 3 + 3 + 9 + 3 + 3 * 2);  // lessons, their notes, references, style and scripts, covers
 }
 
 TEST_CASE("a book that cannot be made says so, and is not half made") {
