@@ -47,6 +47,21 @@ void draw_coil(Page& page, const Camera& camera, double from, double to) {
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = page.theme().text});
 }
 
+/// Where the box may be after two seconds: a scale, and a guess to each side.
+void draw_guess_scale(Page& page, const Rect& rect) {
+  const Rect inside = page.panel(rect, "after 2 s: how far to each side? (m)");
+  const double y = inside.y + 0.55 * inside.height;
+  const auto at = [&](double x) { return Point(inside.x + inside.width * (0.5 + x / 52), y); };
+  const Stroke line{.width = page.sizes().axis, .color = page.theme().text};
+  page.canvas().line(at(-25), at(25), line);
+  for (int x = -20; x <= 20; x += 10) {
+    page.canvas().line(at(x), at(x) + Point(0, 8), line);
+    page.canvas().text(at(x) + Point(0, 26), fixed(x, 0), aligned(page.tick(), Align::center));
+  }
+  const TextStyle guess{.size = 26, .color = page.theme().velocity, .bold = true, .align = Align::center};
+  for (const double x : {-5, 5, -15, 15}) page.canvas().text(at(x) + Point(0, -8), "?", guess);
+}
+
 }  // namespace
 
 Springs swing(double dt) {
@@ -105,7 +120,9 @@ void check_springs(Lesson& lesson, const Springs& springs) {
 }
 
 void draw_spring_question(Page& page, const Rect& rect) {
-  const Camera camera = fit(rect, {{-3.4, -1.3}, {2.2, 1.6}});
+  const List<Rect> parts = in_rows(page, rect, {0.74, 0.26});
+  draw_guess_scale(page, parts[1]);
+  const Camera camera = fit(parts[0], {{-3.4, -0.8}, {2.2, 1.4}});
   Scene scene({.gravity = {0, 0}});
   scene.add({.shapes = {box(1, 1)}, .position = {1, 0}, .mass = 1});
   draw_coil(page, camera, -3, 0.5);
@@ -116,13 +133,12 @@ void draw_spring_question(Page& page, const Rect& rect) {
   draw_world(page, camera, snapshot(World<double>(std::move(scene))), {.names = {"", "1 kg"}});
   const Stroke thin{.width = page.sizes().axis, .color = page.theme().text};
   const TextStyle text = aligned(page.value(), Align::center);
-  const Point up(0, -0.9 * camera.scale), down(0, 0.95 * camera.scale);
+  const Point up(0, -0.9 * camera.scale);
   const Point left = camera.project({-1, 0}), middle = camera.project({0, 0}), right = camera.project({1, 0});
   for (const auto& [from, to] : {std::pair{left, middle}, std::pair{middle, right}}) {
     draw_length(page, from + up, to + up, thin);
     page.canvas().text(0.5 * (from + to) + up - Point(0, 8), "1 m", text);
   }
-  page.canvas().text(middle + down, "after 2 s: ? m to each side", text);
 }
 
 void draw_swings(Page& page, const Rect& rect, const Springs& springs) {
@@ -145,31 +161,32 @@ void draw_swings(Page& page, const Rect& rect, const Springs& springs) {
 }
 
 void draw_loops(Page& page, const Springs& springs) {
-  const List<Rect> parts = in_columns(page, {0.6, 0.4});
+  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.66, 0.34}}});
   const int turn = static_cast<int>(std::lround(1 / frequency / springs.dt));
-  Plot plot{.title = "the first swing: v / 4π (m) against x (m)"};
   Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
   for (int i = 0; i <= 96; ++i)
     exact.add(std::cos(i * std::numbers::pi / 48), -std::sin(i * std::numbers::pi / 48));
-  plot.series = {loop_of(springs.explicit_euler, "position first", explicit_style(page), turn),
-                 loop_of(springs.semi_implicit, "velocity first", semi_implicit_style(page), turn), exact};
-  double most = 1.2;
-  for (const double x : plot.series[0].x) most = std::max(most, 1.1 * std::abs(x));
-  for (const double y : plot.series[0].y) most = std::max(most, 1.1 * std::abs(y));
-  plot.x = {.title = "x (m)", .min = -most, .max = most};
-  plot.y = {.min = -most, .max = most};
-  draw_plot(page, parts[0], plot);
+  const auto draw = [&](const Rect& rect, const std::string& title, int steps) {
+    Plot plot{.title = title};
+    plot.series = {loop_of(springs.explicit_euler, "position first", explicit_style(page), steps),
+                   loop_of(springs.semi_implicit, "velocity first", semi_implicit_style(page), steps), exact};
+    double most = 1.2;
+    for (const double x : plot.series[0].x) most = std::max(most, 1.1 * std::abs(x));
+    for (const double y : plot.series[0].y) most = std::max(most, 1.1 * std::abs(y));
+    plot.x = {.title = "x (m)", .min = -most, .max = most};
+    plot.y = {.min = -most, .max = most};
+    draw_plot(page, rect, plot);
+  };
+  const int steps = springs.semi_implicit.x.size() - 1;
+  draw(parts[0], "the first swing: v / 4π (m) against x (m)", turn);
+  draw(parts[1], "all of two seconds", steps);
   const double h = omega * springs.dt;
-  const Rect rest = page.card(parts[1], "around, or out",
-                              "The exact swing runs round the circle. A step that moves first goes straight "
-                              "on along the tangent, and so ends further out, each time by the same factor. "
-                              "With the velocity first the box stays on an ellipse close to the circle.");
-  page.equation(rest, {.number = "position first, one step",
-                       .symbols = "√(1 + (4π Δt)²)",
-                       .numbers = fmt::format("= √(1 + {}²)", fixed(h, 4)),
-                       .result = fmt::format("= {}", fixed(std::sqrt(1 + h * h), 4)),
-                       .algorithm = fmt::format("in {} steps: {} times", springs.semi_implicit.x.size() - 1,
-                                                fixed(swing_at_end(springs.explicit_euler), 1))});
+  page.equation(parts[2], {.number = "position first, one step",
+                           .symbols = "√(1 + (4π Δt)²)",
+                           .numbers = fmt::format("= √(1 + {}²)", fixed(h, 4)),
+                           .result = fmt::format("= {}", fixed(std::sqrt(1 + h * h), 4)),
+                           .algorithm = fmt::format("in {} steps: {} times", steps,
+                                                    fixed(swing_at_end(springs.explicit_euler), 1))});
 }
 
 }  // namespace cairn::one_body

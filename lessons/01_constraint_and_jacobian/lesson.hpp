@@ -106,8 +106,8 @@ struct RodLook {
   bool circles = false;                       // level curves of c
   bool direction = false;                     // j: an arrow and an arc
   bool force = false;                         // j^T lambda: an arrow and an arc
-  bool asked = false;                         // the three velocities of the question, at the centre
-  bool answered = false;                      // the same of the anchor
+  int asked = -1;                             // a velocity of the question, at the centre
+  bool answered = false;                      // all three of them, of the anchor
   std::optional<Vec3<double>> velocity = {};  // arrows at the centre and at the anchor
 };
 

@@ -206,7 +206,7 @@ Shot nudge_shot(const Story& story, int k) {
                            "1 of it.",
                            coordinate_names[k], story.rod.quotients[0].slope[k]),
                [k](Page& page, const Story& all) { draw_nudge(page, all.rod, k); });
-  made.key = k != 1;
+  made.key = k == 2;
   return made;
 }
 
@@ -227,14 +227,16 @@ std::string answer_text(const List<Motion>& asked) {
 }  // namespace
 
 List<Shot> rod_shots(const Story& story) {
-  const Vec3<double> moved = 0.5 * story.rod.asked.back().velocity;  // in half a second
-  const Pose<double> later = {story.rod.pose.position + moved.head<2>(), story.rod.pose.angle + moved.z()};
   List<Shot> shots = {question_shot(
       card(),
-      frame_of(story, "before we ask",
-               "A box on a rod that hangs from a pivot, three velocities of the box, and the question how "
-               "fast each makes the rod longer",
-               {.others = {later}, .asked = true}))};
+      {.state = "before we ask",
+       .alt = "A box on a rod, three times, with one of three velocities each, and the question how fast "
+              "each makes the rod longer",
+       .scene = [&story](Page& page, const Rect& rect) {
+         const List<Rect> parts = in_columns(page, rect, {1.0 / 3, 1.0 / 3, 1.0 / 3});
+         for (int i = 0; i < 3; ++i)
+           draw_rod(page, parts[i], story.rod, {.pose = story.rod.pose, .asked = i});
+       }})};
   shots.push_back(
       key_shot(story, "c: where",
                "The rod, the box, circles around the pivot where c is −1, 0 and 1 m, and c of the box at "
@@ -255,6 +257,7 @@ List<Shot> rod_shots(const Story& story) {
                            "The error of a central difference against its step: it falls as h squared, then "
                            "rounding takes over. Beside it every kind of row in the library.",
                            draw_differences));
+  shots.back().key = false;
   shots.push_back(answer_shot(
       card(),
       frame_of(

@@ -8,6 +8,7 @@ namespace {
 /// The pivot, the box, and the circles around the pivot with room for their names; or the box alone.
 Camera rod_camera(const Rect& inside, const Rod& rod, const RodLook& look) {
   const Vec2<double>& anchor = rod.settings.anchor;
+  if (look.asked >= 0) return fit(inside, {anchor - Vec2<double>(0.8, 2.6), anchor + Vec2<double>(2, 2.6)});
   if (look.close) return fit(inside, {anchor - Vec2<double>(1.7, 2.2), anchor + Vec2<double>(2.6, 2)});
   return fit(inside, {{std::min(-1.3, 0.9 * anchor.x() - 2.6), -rod.length - 1.5},
                       {std::max(anchor.x() + 2.6, 4.0), 0.5}});
@@ -209,51 +210,53 @@ void draw_velocities(Page& page, const Camera& camera, const Rod& rod, const Vec
                 "centre", aside);
 }
 
-/// The velocities of the question by number: as it gives them, at the centre, or as the rod sees them.
-void draw_asked(Page& page, const Camera& camera, const Rod& rod, bool answered) {
+/// A velocity of the question: at the centre, and around it.
+void draw_asked(Page& page, const Camera& camera, const Rod& rod, const Vec3<double>& v) {
+  const ArrowScale scale{.pixels_per_unit = 1.4 * camera.scale, .longest = 1e4};
+  draw_velocity(page, camera, scale,
+                {.kind = ArrowKind::velocity, .tail = rod.pose.position, .value = v.head<2>()}, "");
+  if (v.z() == 0) return;
+  draw_arc(page, camera,
+           {.center = rod.pose.position,
+            .radius = 1.05,
+            .middle = v.z() > 0 ? 1.5 : -1.7,
+            .sign = v.z() > 0 ? 1.0 : -1.0,
+            .label = significant(v.z()) + " rad/s",
+            .color = page.theme().velocity});
+}
+
+/// All three as the rod sees them.
+void draw_answered(Page& page, const Camera& camera, const Rod& rod) {
   const ArrowScale scale{.pixels_per_unit = 1.4 * camera.scale, .longest = 1e4};
   for (int i = 0; i < rod.asked.size(); ++i) {
     const Motion& motion = rod.asked[i];
-    const Vec3<double>& v = motion.velocity;
     std::string name = std::to_string(i + 1);
-    if (answered && motion.rate != 0) name += ": " + significant(motion.rate) + " m/s";
-    draw_velocity(page, camera, scale,
-                  {.kind = ArrowKind::velocity,
-                   .tail = answered ? rod.settings.anchor : rod.pose.position,
-                   .value = answered ? at_anchor(rod, v) : Vec2<double>(v.head<2>())},
-                  name);
-    if (answered || v.z() == 0) continue;
-    draw_arc(page, camera,
-             {.center = rod.pose.position,
-              .radius = 1.05,
-              .middle = v.z() > 0 ? 1.5 : -1.95,
-              .sign = v.z() > 0 ? 1.0 : -1.0,
-              .label = fmt::format("{}: {} rad/s", i + 1, significant(v.z())),
-              .color = page.theme().velocity});
+    if (motion.rate != 0) name += ": " + significant(motion.rate) + " m/s";
+    draw_velocity(
+        page, camera, scale,
+        {.kind = ArrowKind::velocity, .tail = rod.settings.anchor, .value = at_anchor(rod, motion.velocity)},
+        name);
   }
 }
 
-/// The anchor of the box as it stands half a second later, and when that is.
-void name_later(Page& page, const Camera& camera, const Rod& rod, const Pose<double>& later) {
-  page.canvas().circle(camera.project(later.world(rod.local_anchor)), 0.6 * page.sizes().joint,
-                       {.fill = page.theme().secondary_text});
-  const Vec2<double> beside = later.position + Vec2<double>(0.75, -0.35);
-  page.canvas().text(camera.project(beside), "3, after 0.5 s", page.secondary());
+std::string title_of(const Rod& rod, int asked) {
+  if (asked < 0) return "";
+  const Vec3<double>& v = rod.asked[asked].velocity;
+  return fmt::format("{}: ({}, {}, {})", asked + 1, significant(v.x()), significant(v.y()),
+                     significant(v.z()));
 }
 
 }  // namespace
 
 void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look) {
-  const Rect inside = page.panel(rect, "");
+  const Rect inside = page.panel(rect, title_of(rod, look.asked));
   const Camera camera = rod_camera(inside, rod, look);
   page.canvas().push_clip(inside);
   if (look.circles) draw_circles(page, camera, rod, look);
   List<Snapshot> others;
   for (const Pose<double>& pose : look.others) others.push_back(moved_to(rod, pose));
-  if (look.asked) draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
   for (const Snapshot& other : others) draw_ghosts(page, camera, Span<const Snapshot>(&other, 1));
-  if (!look.asked) draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
-  if (look.asked) name_later(page, camera, rod, look.others[0]);
+  draw_world(page, camera, moved_to(rod, look.pose), {.names = {"", ""}, .contacts = false});
   page.avoid({camera.project({0, 0}), camera.project(look.pose.world(rod.local_anchor))});
   page.canvas().circle(camera.project({0, 0}), page.sizes().joint,
                        {.fill = page.theme().panel, .outline = page.theme().outline, .outline_width = 2});
@@ -265,7 +268,8 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
     draw_errors(page, camera, rod, poses);
   }
   if (look.direction || look.force) draw_row_arrows(page, camera, rod, look);
-  if (look.asked || look.answered) draw_asked(page, camera, rod, look.answered);
+  if (look.asked >= 0) draw_asked(page, camera, rod, rod.asked[look.asked].velocity);
+  if (look.answered) draw_answered(page, camera, rod);
   if (look.velocity) draw_velocities(page, camera, rod, *look.velocity);
   page.canvas().pop_clip();
 }

@@ -159,7 +159,7 @@ void draw_push(Page& page, const Rect& rect, const Pushes& all, const Push& push
   if (!no_peg)
     page.canvas().circle(camera.project({push.x, 0}), page.sizes().contact, {.fill = page.theme().normal});
   if (look.push) draw_impulse(page, camera, all, push);
-  if (look.asked) {
+  if (look.asked && (push.x == 0 || push.x == all.at.back().x)) {
     page.canvas().text(camera.project({push.x, -0.35}),
                        push.x == 0 ? significant(push.impulse, 3) + " N s" : "? N s",
                        {.size = 24, .color = page.theme().normal, .bold = true, .align = Align::center});

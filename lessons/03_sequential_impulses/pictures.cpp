@@ -35,10 +35,17 @@ double largest_arrow(const StackRun& run) {
 }
 
 void name_masses(Page& page, const Camera& camera, const StackRun& run) {
-  const TextStyle style = aligned(page.label(), Align::center);
+  TextStyle style = aligned(page.label(), Align::center);
   const int boxes = run.settings.boxes;
   for (int i = 0; i < boxes; ++i) {
     const double mass = i + 1 == boxes ? run.settings.top : 1;
+    if (mass > 1) {
+      const Point corner = camera.project({-0.5, i + 1});
+      const Color dark = page.theme().text;
+      page.canvas().rect({corner.x(), corner.y(), camera.scale, 0.34 * camera.scale}, {.fill = dark});
+      style.color = page.theme().panel;
+      style.halo = dark;
+    }
     page.canvas().text(camera.project({0, i + 0.78}), fmt::format("{:g} kg", mass), style);
   }
 }

@@ -85,7 +85,7 @@ void run(Lesson& lesson) {
   tell_landings(lesson, all);
   tell_motion(lesson, all);
   const Visit& second = all.middle.by(Clamped::sum).visits[2];
-  lesson.answer({second.after[0]}, 0.005 * second.after[0],
+  lesson.answer({second.after[0]}, 0.03 * second.after[0],
                 second.given() < 0
                     ? "It takes back: it gave too much before the other foot had its turn. "
                       "The sum stays positive, so the foot does not pull."

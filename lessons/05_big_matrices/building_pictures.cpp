@@ -129,12 +129,14 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
   draw_product(page, parts[1], system, {"λ ="});
   const std::string dt = brief(run.settings.dt);
   const double jv = run.row_velocity(row) + 0.0;
+  const std::string reason = row == 0 ? fmt::format("box 1 approaches the ground at {} m/s", brief(-jv))
+                                      : fmt::format("boxes {} and {} fall alike: 0", row, row + 1);
   page.equation(parts[2], {.number = "eq (15)",
                            .symbols = fmt::format("b_{{{0}}} = ζ/Δt − j_{{{0}}}·v_{{1}}/Δt", row + 1),
                            .numbers = fmt::format("= {}/{} − {}/{}", brief(run.system.zeta(row)), dt,
                                                   in_brackets(brief(jv)), dt),
                            .result = fmt::format("= {} m/s²", brief(run.system.b(row))),
-                           .algorithm = std::abs(jv) > 0 ? "its boxes approach" : "equally fast"});
+                           .algorithm = reason});
 }
 
 Shot entry_shot(const StackRun& run, int i, int j) {

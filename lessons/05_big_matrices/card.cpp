@@ -32,11 +32,13 @@ const LessonCard lesson05(
                 "You may think of the row of the heavy box. But a row looks at velocities, and the heavy box "
                 "falls as fast as the light one."},
                {{2}, {2}, "A has the masses of both boxes of a row. b has only their velocities."}},
-     .hints = {"(15) has b. Which of its letters would know that the box is heavy?",
-               "−j·v₁ says how fast the two bodies of a contact approach each other, before any contact "
-               "pushes.",
-               "A box of 100 kg falls at g Δt, as one of 1 kg does. How fast do boxes 2 and 3 approach each "
-               "other?"},
+     .hints =
+         {"Put (12) into (11): b is what stands beside A λ. Which of its letters would know that the box is "
+          "heavy?",
+          "−j·v₁ says how fast the two bodies of a contact approach each other, before any contact "
+          "pushes.",
+          "A box of 100 kg falls at g Δt, as one of 1 kg does. How fast do boxes 2 and 3 approach each "
+          "other?"},
      .parameters = {{"boxes", 3, 2, 5, "", "boxes in the stack", Parameter::Kind::whole},
                     {"dt", 0.02, 0.005, 0.1, "s", "time step"},
                     {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},

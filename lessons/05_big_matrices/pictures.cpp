@@ -53,6 +53,29 @@ void draw_bracket(Page& page, const Camera& camera, int row, bool left) {
                fmt::format("row {}", row + 1), fmt::format("{}", row + 1), left);
 }
 
+/// What each box weighs, all in one size; the heavy one is dark. A name too wide for its box stands above it.
+void draw_masses(Page& page, const Camera& camera, const StackRun& run) {
+  TextStyle style{.size = std::clamp(0.24 * camera.scale, page.sizes().smallest, page.sizes().body_number),
+                  .bold = true,
+                  .align = Align::center};
+  for (int i = 0; i < run.boxes(); ++i) {
+    const bool heavy = run.mass[i] >= heavy_mass;
+    if (heavy) {
+      const Point corner = camera.project({-0.5, i + 1});
+      page.canvas().rect({corner.x(), corner.y(), camera.scale, camera.scale}, {.fill = page.theme().text});
+      page.canvas().circle(
+          camera.project({0, i}), page.sizes().contact,
+          {.fill = page.theme().inactive, .outline = page.theme().outline, .outline_width = 1});
+    }
+    const std::string name = brief(run.mass[i]) + " kg";
+    const bool inside = page.canvas().text_width(name, style) < 0.95 * camera.scale;
+    style.color = heavy && inside ? page.theme().panel : page.theme().text;
+    style.halo = heavy && inside ? page.theme().text : render::transparent;
+    const Point middle = camera.project({0, inside ? i + 0.5 : i + 1});
+    page.canvas().text(middle + Point(0, inside ? 0.35 * style.size : -5), name, style);
+  }
+}
+
 /// The stack of the question with either box on top, what its contacts carry in the end, and b, not known
 /// yet.
 void draw_question(Page& page, const Rect& rect, const StackRun& run, const StackRun& heavy) {
@@ -71,7 +94,8 @@ void draw_question(Page& page, const Rect& rect, const StackRun& run, const Stac
 
 /// The stack that stands, and below it λ as the first column of the inverse, times the one number of b.
 void draw_answer(Page& page, const Rect& rect, const StackRun& run) {
-  const List<Rect> parts = in_rows(page, rect, {0.55, 0.45});
+  const double upper = run.boxes() > 3 ? 0.44 : 0.55;  // the numbers need room
+  const List<Rect> parts = in_rows(page, rect, {upper, 1 - upper});
   draw_stack(page, parts[0], run, {.known = run.boxes(), .masses = true, .velocity = run.velocity});
   const List<std::string> names = row_names(run.boxes());
   draw_product(page, parts[1],
@@ -102,17 +126,14 @@ void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackVi
   Camera camera = fit(inside, {{-1.75, bottom}, {1.75, n + 0.2}});
   camera.center.y() =
       bottom + 0.5 * inside.height / camera.scale;  // little of the ground, whatever the panel
-  WorldLook look{.penetration = false};
+  WorldLook look{.numbers = !view.masses, .penetration = false};
   look.active_contact = view.contact;
   if (view.contact >= 0) {
     look.active_a = {view.contact};
     look.active_b = {view.contact + 1};
   }
-  if (view.masses) {
-    look.names = {""};
-    for (const double mass : run.mass) look.names.push_back(brief(mass) + " kg");
-  }
   draw_world(page, camera, run.snapshot, look);
+  if (view.masses) draw_masses(page, camera, run);
   draw_pushes(page, camera, run, view.known);
   if (view.velocity.size() > 0) draw_speeds(page, camera, run, view.velocity);
   if (view.row >= 0) draw_bracket(page, camera, view.row, true);
@@ -142,7 +163,7 @@ void draw_product(Page& page, const Rect& rect, const List<MatrixView>& factors,
     const double below = view.column_names.empty() ? 2 : names;
     const double width = static_cast<double>(view.values.cols()) * cell;
     // A title may be wider than its cells; those are as large as their height allows.
-    draw_matrix(page, {x - left, top, left + width + 0.6 * cell, title + below + most * cell}, view);
+    draw_matrix(page, {x - left, top, left + width + 1.2 * cell, title + below + most * cell}, view);
     x += width;
     if (i < signs.size())
       page.canvas().text({x + 0.5 * gap * cell - 6, top + title + 0.5 * most * cell + 0.35 * sign.size},

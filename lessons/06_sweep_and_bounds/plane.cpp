@@ -77,6 +77,7 @@ void name_row_line(Page& page, const Camera& camera, const RodRun& rod, int i) {
   for (int step = 0; step < 1200; ++step) {  // near the crossing of both lines, or else ever farther below it
     const int pixels = step < 160 ? 6 * step - 480 : 480 - 6 * step;
     const Point at = on_row_line(camera, rod, i, pixels) + Point(0, style.size / 3);
+    if (rod.tips() && (at - camera.project({rod.formula[0], rod.formula[1]})).norm() < 120) continue;
     places.push_back(at + Point(10, 0));
     places.push_back(at - Point(10 + width, 0));
   }

@@ -22,14 +22,14 @@ const LessonCard lesson07(
          "PGS and SI solve the same 20 random rows from λ\u00a0=\u00a00, row after row in the same order. "
          "SI "
          "looks at the newest velocities at each visit, PGS at none until the end. After "
-         "ten sweeps PGS is still off by 69.34\u00a0% of the largest λ. By how many per cent is SI off?",
+         "ten sweeps PGS is still off by 69\u00a0% of the largest λ. By how many per cent is SI off?",
      .spoilers = {"5.8", "one algorithm"},
      .unasked = {"sweeps"},
      .wrong = {{{0},
-                {69.2},
+                {68.7},
                 "SI looks at the newest velocities, but PGS looks at the newest λ. What do those velocities "
                 "hold?"},
-               {{69.5}, {100}, "SI has no A. But do the velocities that it reads hold less?"}},
+               {{70}, {100}, "SI has no A. But do the velocities that it reads hold less?"}},
      .hints = {"Both make one λ right, row after row. What does each of them look at for that?",
                "By (26) the velocities of SI hold all λ that have been given so far.",
                "J_i v = J_i v̄ + A_i η Δt: with that (27) becomes (28)."},

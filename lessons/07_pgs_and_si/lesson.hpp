@@ -111,8 +111,9 @@ void draw_pairs(Page& page, const Rect& rect, const std::string& title, const Mo
 /// A as colours, with one row framed.
 void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active);
 
-/// Two bodies, and the two ends of a push between them.
-void draw_two_bodies(Page& page, const Rect& rect);
+/// The bodies in a ring and the rows between them: one row lit with its two bodies, and strong those that it
+/// shares a body with.
+void draw_bodies(Page& page, const Rect& rect, const TwiceRun& run, int active);
 
 /// A number with its name, in a column of numbers.
 struct Digits {

@@ -40,6 +40,23 @@ void draw_pair(Page& page, const PairField& field, const Moment& moment, int i) 
                      fmt::format("{}", i + 1), name);
 }
 
+/// The rows that share a body with the active one, it among them, or all others.
+void draw_rows(Page& page, const List<Point>& places, const TwiceRun& run, int active, bool neighbours) {
+  const auto& rows = run.problem.rows;
+  const auto joins = [&](int i, int body) { return rows[i].a.index == body || rows[i].b.index == body; };
+  for (int i = 0; i < run.problem.row_count(); ++i) {
+    const int low = std::min(rows[i].a.index, rows[i].b.index);
+    const int high = std::max(rows[i].a.index, rows[i].b.index);
+    if ((joins(active, low) || joins(active, high)) != neighbours) continue;
+    int before = 0;  // rows between the same two bodies stand side by side
+    for (int k = 0; k < i; ++k) before += joins(k, low) && joins(k, high);
+    const Point aside = 5.0 * before * perpendicular((places[high] - places[low]).normalized());
+    Stroke stroke{.width = 1.5, .color = neighbours ? page.theme().text : page.theme().inactive};
+    if (i == active) stroke = {.width = 5, .color = page.theme().normal};
+    page.canvas().line(places[low] + aside, places[high] + aside, stroke);
+  }
+}
+
 }  // namespace
 
 Range range_of(const TwiceRun& run) {
@@ -94,20 +111,28 @@ void draw_system(Page& page, const Rect& rect, const TwiceRun& run, int active) 
   draw_matrix(page, rect, view);
 }
 
-void draw_two_bodies(Page& page, const Rect& rect) {
-  const double radius = 0.22 * rect.height;
-  const Point middle(rect.x + rect.width / 2, rect.y + rect.height / 2);
-  TextStyle style = aligned(page.label(), Align::center);
-  for (const double side : {-1.0, 1.0}) {
-    const Point at = middle + Point(side * 1.5 * radius, 0), to = middle + Point(side * 0.55 * radius, 0);
-    page.canvas().circle(at, radius,
-                         {.fill = side < 0 ? page.theme().active_a : page.theme().active_b,
-                          .outline = page.theme().outline,
-                          .outline_width = page.sizes().outline});
-    page.canvas().text(at + Point(0, 6), side < 0 ? "v_{a}" : "v_{b}", style);
-    page.canvas().line(middle, to, {.width = 5, .color = page.theme().normal});
-    const FixedList<Point, 3> head = {to + Point(0, 9), to + Point(0, -9), to + Point(side * 14, 0)};
-    page.canvas().polygon(head, {.fill = page.theme().normal});
+void draw_bodies(Page& page, const Rect& rect, const TwiceRun& run, int active) {
+  const Rect inside = page.panel(rect, fmt::format("{} bodies, {} rows; lit: row {}", run.settings.bodies,
+                                                   run.settings.rows, active + 1));
+  const double radius = 15;  // [px] of a body
+  const double reach = 0.5 * std::min(inside.width, inside.height) - radius - 2;
+  const Point middle(inside.x + 0.5 * inside.width, inside.y + 0.5 * inside.height);
+  List<Point> places;
+  for (int body = 0; body < run.settings.bodies; ++body) {
+    const double turn = 2 * pi * body / run.settings.bodies;
+    places.push_back(middle + reach * Point(std::sin(turn), -std::cos(turn)));
+  }
+  for (const bool neighbours : {false, true}) draw_rows(page, places, run, active, neighbours);
+  const ConstraintRow<double>& row = run.problem.rows[active];
+  const TextStyle style = aligned(page.label(), Align::center);
+  for (int body = 0; body < places.size(); ++body) {
+    Color fill = page.theme().panel;
+    if (body == row.a.index) fill = page.theme().active_a;
+    if (body == row.b.index) fill = page.theme().active_b;
+    page.canvas().circle(
+        places[body], radius,
+        {.fill = fill, .outline = page.theme().outline, .outline_width = page.sizes().outline});
+    page.canvas().text(places[body] + Point(0, 5), fmt::format("{}", body + 1), style);
   }
 }
 

@@ -88,22 +88,22 @@ void draw_sweep(Page& page, const TwiceRun& run, int sweep) {
                         far.row + 1, fixed(far.off, 2), spacings(0), spacings(1), spacings(2)));
 }
 
-/// The two stories: what each solver looks at in one update.
+/// The two stories: what each solver looks at in one update of the row that is farthest off.
 void draw_question(Page& page, const Rect& rect, const TwiceRun& run) {
   const bool is_asked = !card().question.empty();
-  const List<Rect> parts = in_rows(page, rect, {{0.28, {0.66, 0.34}}, {0.26, {0.66, 0.34}}, 0.46});
-  page.equation(parts[0], {.number = "PGS: a row of A, and all other λ",
-                           .symbols = "λ_{i} ← (b_{i} − Σ_{j≠i} A_{ij} λ_{j}) / A_{ii}"});
-  draw_system(page, parts[1], run, 6);
-  page.equation(parts[2], {.number = "SI: two bodies, and an immediate push",
-                           .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
-  draw_two_bodies(page, parts[3]);
+  const List<Rect> parts = in_rows(page, rect, {0.6, 0.4});
+  const List<Rect> upper = in_columns(page, parts[0], {{0.58, {0.5, 0.5}}, 0.42});
   const int sweep = std::min(asked_sweeps, run.settings.sweeps);
   const Farthest far = farthest(run, sweep);
+  page.equation(upper[0], {.number = "PGS: λ of the other strong lines",
+                           .symbols = "λ_{i} ← (b_{i} − Σ_{j≠i} A_{ij} λ_{j}) / A_{ii}"});
+  page.equation(upper[1], {.number = "SI: velocities of the two lit bodies",
+                           .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
+  draw_bodies(page, upper[2], run, far.row);
   Moment moment{.pgs = run.pgs[sweep], .active = far.row, .exact = run.exact};
   if (!is_asked) moment.si = run.si[sweep];
-  draw_pairs(page, parts[4],
-             fmt::format("λ (N) after {} sweeps; row {} is {} % off:", sweep, far.row + 1, fixed(far.off, 2)),
+  draw_pairs(page, parts[1],
+             fmt::format("λ (N) after {} sweeps; row {} is {} % off:", sweep, far.row + 1, fixed(far.off, 0)),
              moment, range_of(run));
 }
 
@@ -163,8 +163,8 @@ List<Shot> twice_shots(const TwiceRun& run) {
   const int last = run.settings.sweeps;
   List<Shot> shots = {question_shot(
       card(), {.state = "after ten sweeps of PGS",
-               .alt = "What PGS and what SI look at in one update, how far PGS is off after ten sweeps, "
-                      "and the question.",
+               .alt = "Eight bodies and the twenty rows between them, what PGS and what SI look at in one "
+                      "update, how far PGS is off after ten sweeps, and the question.",
                .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }})};
   for (int row = 0; row < run.problem.row_count(); ++row) shots.push_back(row_shot(run, row));
   for (int sweep = 2; sweep <= last; ++sweep) shots.push_back(sweep_shot(run, sweep));
