@@ -74,7 +74,7 @@ bool is_unit(std::string_view before, char32_t sign, std::string_view behind) {
   constexpr std::array<std::string_view, 8> units = {"kg", "N", "J", "m", "rad", "mm", "in", "1/kg"};
   if (!is_one_of(sign, U"msNJW")) return false;
   if ((sign == U'm' && behind.starts_with("/s")) || (sign == U's' && before.ends_with('/'))) return true;
-  if (before.ends_with("N/")) return true;
+  if (before.ends_with("N/") || before.ends_with("N s/")) return true;
   if (before.ends_with('(')) {
     before.remove_suffix(1);
     if (!before.empty() && !is_space(last_of(before))) return false;  // max(m, 1)

@@ -77,8 +77,8 @@ void draw_start(Page& page, const Rect& rect, const WarmStart& all, int frame, c
                                  : fmt::format("λ_{{1}} {:.0f} to {:.0f} N", range.least[0], range.most[0])};
   const bool swings = range.most[0] - range.least[0] >= 1;
   if (swings) lines.push_back(fmt::format("now {:.0f} N", run.loads[frame][0]));
-  if (shown.is_first)
-    lines.insert(lines.end(), {"bar: load", "tick: to carry", fmt::format("pale: last {} steps", lately)});
+  if (shown.is_first) lines.insert(lines.end(), {"bar: load", "tick: to carry"});
+  if (shown.is_first && swings) lines.push_back(fmt::format("pale: last {} steps", lately));
   for (int i = 0; i < lines.size(); ++i) {
     TextStyle text = aligned(i < (swings ? 3 : 2) ? page.value() : page.secondary(), Align::right);
     page.canvas().text({view.x + view.width, view.y + 1.5 * (i + 1) * text.size}, lines[i], text);
@@ -219,7 +219,10 @@ std::string answer_text(const WarmStart& all) {
 
 FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
   const List<SeriesStyle> neutral = render::neutral_styles(theme);
-  return {{neutral[1], theme.si, neutral[3]}};  // all are SI: the warm one is what is meant by it
+  SeriesStyle cold = neutral[1];
+  cold.dash = {};  // without colour, dashes and marks tell it from the warm one
+  cold.marker = Marker::circle;
+  return {{cold, theme.si, neutral[3]}};  // all are SI: the warm one is what is meant by it
 }
 
 List<Shot> start_shots(const WarmStart& all) {

@@ -169,6 +169,12 @@ void tell_kept(Lesson& lesson, const StoredRun& run) {
     lesson.print(fmt::format("  {:<14}{:>12}   {:>8.1f} bytes per row", kept.name, bytes_text(kept.bytes),
                              kept.bytes / run.pyramids.back().rows));
   }
+  const Count& largest = run.pyramids.back();
+  const double copies = sizeof(double) * (2 * largest.rows + 3 * (largest.bodies + 1));
+  lesson.print(fmt::format(
+      "  of sparse PGS's, λ, b and v are {:.1f} bytes per row, which SI has in the problem: {:.1f} "
+      "are left",
+      copies / largest.rows, (run.kept[2].bytes - copies) / largest.rows));
   lesson.print();
 }
 

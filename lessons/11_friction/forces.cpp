@@ -15,6 +15,7 @@ ArrowScale force_scale(const Camera& camera, const Slide& slide) {
 struct Force {
   render::Arrow arrow = {};
   std::string text = "";
+  bool is_above = false;  // the label stands above the tip, clear of others below
 };
 
 /// Writes the label at the arrow's tip: beside the middle it would stand upon the block.
@@ -29,6 +30,7 @@ void label_force(Page& page, const Camera& camera, const Rect& panel, const Arro
   const double size = style.size;
   const double side = value.x() < 0 ? -width : 0;
   List<Point> places;
+  if (force.is_above) places.push_back({std::max(tip.x() - 0.85 * width, panel.x + 6), tip.y() - 2.2 * size});
   if (value.x() < 0) {
     // Below the shaft, which comes down to the right from the tip, and where others stand there, below them.
     const double drop = 0.8 * width * std::abs(value.y() / value.x());
@@ -79,6 +81,14 @@ Camera draw_slope(Page& page, const Rect& rect, const Slide& slide, const std::s
   return camera;
 }
 
+/// Half a metre from the middle of the block down to the side where friction pulls.
+void draw_arm(Page& page, const Camera& camera, const Slide& slide, const Vec2<double>& middle) {
+  const Point from = camera.project(middle), to = camera.project(middle - 0.5 * slide.slope.normal());
+  page.canvas().line(from, to, {.width = 2, .color = page.theme().secondary_text, .dash = {4, 4}});
+  page.avoid({from, to});
+  page.canvas().text(from + 0.6 * (to - from) + Point(8, 8), "0.5 m", page.label());
+}
+
 /// How long a force is drawn, and what the brackets are.
 void draw_key(Page& page, const Rect& rect, const ArrowScale& scale) {
   const Point corner(rect.x + 16, rect.y + rect.height - 14);
@@ -95,6 +105,7 @@ void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corn
   const ArrowScale scale = force_scale(camera, slide);
   const Vec2<double> downhill = slide.slope.downhill();
   const Coulomb law = coulomb(slide.slope, slide.block);
+  const Vec2<double> middle = now.bodies[first_block].pose.position;
   List<Force> forces;
   for (const SnapshotContact& contact : now.contacts) {
     const double load = contact.normal_impulse / now.dt;
@@ -109,14 +120,14 @@ void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corn
     forces.push_back({{.kind = solved ? ArrowKind::friction : ArrowKind::external,
                        .tail = contact.position,
                        .value = -held * downhill},
-                      solved ? newtons("λ_{t}", held) : "? N"});
+                      solved ? newtons("λ_{t}", held) : "? N",
+                      solved && contact.position.x() < middle.x()});
   }
   if (solved) {
-    forces.push_back({{.kind = ArrowKind::external,
-                       .tail = now.bodies[first_block].pose.position,
-                       .value = law.needed * downhill},
+    forces.push_back({{.kind = ArrowKind::external, .tail = middle, .value = law.needed * downhill},
                       newtons("m g sin α", law.needed)});
     draw_key(page, rect, scale);
+    draw_arm(page, camera, slide, middle);
   }
   draw_forces(page, camera, rect, scale, forces);
 }

@@ -90,47 +90,14 @@ ChainRun run_chain(const std::string& name, const Scene& scene, int size, int mo
   return run;
 }
 
-/// Ten boxes on the ground: each of the two points below box i carries half of all that is above. Without
-/// friction, which would leave more than one answer.
-ChainRun run_tower(double dt) {
-  const int boxes = 10;
-  Scene scene(
-      {.gravity = {0, -gravity}, .dt = dt, .stabilization = {.policy = StabilizationPolicy::baumgarte}});
-  scene.add_ground();
-  for (int i = 0; i < boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {0, i + 0.5}, .mass = 1, .material = {.friction = 0}});
-  const World<double> world(scene);
-  const VelocityProblem<double> problem = world.velocity_problem();
-  Vector<double> exact = Vector<double>::Zero(problem.row_count());
-  int normals = 0;  // the friction rows have nothing to do
-  for (int block = 0; block < problem.blocks.size(); ++block) {
-    const RowBlock& rows = problem.blocks[block];
-    for (int i = rows.first; i < rows.first + rows.count; ++i) {
-      if (!problem.rows[i].bounds.is_unilateral()) continue;
-      exact(i) = gravity * (problem.blocks.size() - block) / 2;
-      ++normals;
-    }
-  }
-  ChainRun run{.name = "10 boxes in a tower", .start = snapshot(world)};
-  SequentialImpulse<double> rows({.iterations = most_sweeps});
-  BlockSequentialImpulse<double> blocks({.iterations = most_sweeps}, ContactBlock::two_normals);
-  run.rows = solve_chain(problem, exact, rows);
-  run.blocks = solve_chain(problem, exact, blocks);
-  count_work(normals, 2, run);
-  return run;
-}
-
 List<ChainRun> run_chains(double dt) {
   List<ChainRun> chains;
   for (const int beams : {1, 2, 3, 5}) {
     chains.push_back(run_chain(fmt::format("{} beam{}, welded", beams, beams == 1 ? "" : "s"),
                                line_of<WeldJoint>(beams, beam_length, beam_height, 0, dt), 3));
   }
-  chains.push_back(
-      run_chain("10 beams on pins, level", line_of<RevoluteJoint>(10, beam_length, beam_height, 0, dt), 2));
   chains.push_back(run_chain("10 beams on pins, at 45°",
                              line_of<RevoluteJoint>(10, beam_length, beam_height, pi / 4, dt), 2));
-  chains.push_back(run_tower(dt));
   chains.push_back(
       run_chain("10 beams, welded", line_of<WeldJoint>(10, beam_length, beam_height, 0, dt), 3, 100000));
   return chains;

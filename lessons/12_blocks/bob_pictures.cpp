@@ -68,18 +68,14 @@ void draw_energy(Page& page, const Rect& rect, const BlocksRuns& all, int step) 
 
 void draw_bobs(Page& page, const BlocksRuns& all, int step) {
   const List<Rect> parts = in_columns(page, {0.31, 0.31, 0.38});
-  draw_both_bobs(page, {parts[0], parts[1]}, all, step);
+  const std::string time =
+      fmt::format("{} s, {} sweeps per step", fixed(step * all.settings.dt, 2), all.settings.sweeps);
+  draw_bob(page, parts[0], all.bob_rows, step, "rows: " + time, style_of_rows(page));
+  draw_bob(page, parts[1], all.bob_block, step, "block: " + time, style_of_blocks(page));
   draw_energy(page, parts[2], all, step);
 }
 
 }  // namespace
-
-void draw_both_bobs(Page& page, const FixedList<Rect, 2>& rects, const BlocksRuns& all, int step) {
-  const std::string time =
-      fmt::format("{} s, {} sweeps per step", fixed(step * all.settings.dt, 2), all.settings.sweeps);
-  draw_bob(page, rects[0], all.bob_rows, step, "rows: " + time, style_of_rows(page));
-  draw_bob(page, rects[1], all.bob_block, step, "block: " + time, style_of_blocks(page));
-}
 
 List<Shot> bob_shots(const BlocksRuns& all) {
   const auto step_at = [&](double time) { return static_cast<int>(std::lround(time / all.settings.dt)); };

@@ -20,14 +20,14 @@ const LessonCard lesson12(
      .question =
          "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row, and 1 "
          "with its weld as a block. Two beams take 110 row by row. How many do they take with a block for "
-         "each of their two welds?",
+         "each of their two welds: about 2, about 20, about 60, or all 110?",
      .spoilers = {"61", "55 %", "326", "75 %", "zig-zag"},
      .unasked = {"angle", "inertia", "sweeps"},
      .wrong = {{{1},
-                {50},
+                {49},
                 "So few would do if most of the conflict were within the welds. Much of it is between them: "
                 "what a block corrects at one weld, it spoils at the other."},
-               {{72},
+               {{73},
                 {110},
                 "The first weld has rows that disturb each other much, and there a block "
                 "helps."}},

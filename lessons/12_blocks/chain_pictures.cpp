@@ -35,7 +35,7 @@ void draw_entry(Page& page, const Rect& cell, double value, bool in_block) {
                             .outline = page.theme().grid,
                             .outline_width = 1});
   TextStyle text = page.value();
-  text.size = 0.3 * cell.height;
+  text.size = 0.26 * cell.height;
   text.align = Align::center;
   if (value != 0)
     page.canvas().text({cell.x + cell.width / 2, cell.y + 0.6 * cell.height}, significant(value, 3), text);

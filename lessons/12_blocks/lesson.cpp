@@ -92,7 +92,7 @@ void run(Lesson& lesson) {
   const ChainRun& asked = all.chains[welded_two];
   const ChainRun& longer = all.chains[welded_three];
   lesson.answer(
-      {1.0 * asked.blocks.sweeps}, 10,
+      {1.0 * asked.blocks.sweeps}, 11,
       fmt::format("{} of {} sweeps. A block ends the conflict between the rows of one joint. What is "
                   "left is between the joints, and a longer chain has more of it: with three beams "
                   "{} of {} sweeps are left.",

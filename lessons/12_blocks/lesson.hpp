@@ -55,7 +55,7 @@ struct ChainSolve {
 /// The beams, and others to compare them with.
 struct ChainRun {
   std::string name = {};
-  int dense_sweeps = -1;  // by Gauss-Seidel on A lambda = b with a dense A; -1: not for rows with bounds
+  int dense_sweeps = -1;  // by Gauss-Seidel on A lambda = b with a dense A; -1: not for ten beams
   int dense_block_sweeps = -1;
   Snapshot start = {};
   VelocityProblem<double> problem = {};
@@ -91,8 +91,7 @@ inline constexpr double goal = 0.01;      // error at which a chain counts as so
 inline constexpr int welded_one = 0;      // in BlocksRuns::chains
 inline constexpr int welded_two = 1;
 inline constexpr int welded_three = 2;
-inline constexpr int level_pins = 4;
-inline constexpr int welded_ten = 7;  // needs more sweeps than the others
+inline constexpr int welded_ten = 5;  // needs more sweeps than the others
 
 BlocksRuns run_blocks(const BlocksSettings& settings);
 
@@ -168,8 +167,6 @@ void draw_start(Page& page, const Rect& rect, const ChainRun& chain);
 /// The sweeps of one, two and three beams with blocks, as a part of those by rows; of the question, one and
 /// two, and what is asked for is left out.
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked);
-/// The bob after so many steps, by rows and by its block.
-void draw_both_bobs(Page& page, const FixedList<Rect, 2>& rects, const BlocksRuns& all, int step);
 
 /// Rows grey and dashed, blocks solid in the colour of sequential impulses.
 SeriesStyle style_of_rows(const Page& page);

@@ -108,6 +108,18 @@ void draw_way(Page& page, const Camera& camera, const RodMoment& moment, const S
     draw_marker(page.canvas(), point, style.marker, page.sizes().marker, style.color);
 }
 
+/// The first two stops of the rows, in numbers.
+void name_stops(Page& page, const Camera& camera, const RodRun& rod) {
+  TextStyle text = page.label();
+  text.halo = page.theme().panel;
+  for (const int update : {1, 2}) {
+    const Pair& stop = rod.updates[update].after;
+    const Point at = camera.project({stop[0], stop[1]});
+    page.canvas().text({at.x() + 10, at.y() + 1.4 * text.size},
+                       fmt::format("({}, {})", significant(stop[0], 3), significant(stop[1], 3)), text);
+  }
+}
+
 void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
   const Rect inside = page.panel(rect, "λ of the pin's two rows (N)");
   const Camera camera = fit(inside, {{-1.5, -1.3}, {rod.formula[0] + 1.6, rod.formula[1] + 1.3}});
@@ -119,6 +131,7 @@ void draw_plane(Page& page, const Rect& rect, const RodRun& rod, const RodMoment
   SeriesStyle pale = style_of_rows(page);
   pale.color = page.theme().inactive;
   if (moment.block) draw_way(page, camera, after_update(rod, rod.updates.size() - 1), pale);
+  if (moment.block) name_stops(page, camera, rod);
   draw_way(page, camera, moment, moment.block ? style_of_blocks(page) : style_of_rows(page));
   page.canvas().circle(camera.project({rod.formula[0], rod.formula[1]}), page.sizes().joint,
                        {.outline = page.theme().exact.color, .outline_width = page.sizes().outline});
@@ -183,35 +196,29 @@ List<Shot> rod_shots(const BlocksRuns& all) {
   return shots;
 }
 
-/// Says of chain and bob what has happened to them.
-std::string answer_text(const BlocksRuns& all) {
-  const bool thrown = all.bob_rows.largest_energy > 1000;
-  return fmt::format(
-      "{} of {}, {} %, and with three beams {} %: the conflict between the joints is left. {}",
-      all.chains[welded_two].blocks.sweeps, all.chains[welded_two].rows.sweeps,
-      fixed(share_left(all.chains[welded_two]), 0), fixed(share_left(all.chains[welded_three]), 0),
-      thrown ? "But where the rows of one joint couple strongly, as at the bob's pin, a block is the "
-               "difference between an explosion and a pendulum."
-             : "With this inertia rows do not throw the bob either; with a tiny one they do.");
-}
-
-/// What is known of the sweeps, beside the beams; in the answer all of it, beside the bob.
+/// The beams beside what is known of their sweeps, in the answer all of it.
 QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
   const auto draw = [&all, asked](Page& page, const Rect& rect) {
-    const List<Rect> parts = in_columns(page, rect, asked ? List<Cut>{0.6, 0.4} : List<Cut>{0.4, 0.3, 0.3});
-    draw_sweep_bars(page, asked ? parts[1] : parts[0], all, asked);
-    if (asked) return draw_start(page, parts[0], all.chains[welded_two]);
-    const int step = static_cast<int>(std::lround(0.8 / all.settings.dt));
-    draw_both_bobs(page, {parts[1], parts[2]}, all, step);
+    const List<Rect> parts = in_columns(page, rect, List<Cut>{0.6, 0.4});
+    draw_start(page, parts[0], all.chains[asked ? welded_two : welded_three]);
+    draw_sweep_bars(page, parts[1], all, asked);
   };
   return {.state = asked ? "before the first sweep" : "answer",
           .alt = asked ? "Two beams, welded to each other and the first to a wall, bars of sweeps of which "
                          "one is missing, and the question."
                        : "Bars of the sweeps that are left with blocks, for one, two and three beams: more "
-                         "and more; the bob after 0.8 s, torn away by rows and on its circle with a block; "
-                         "and the answer.",
+                         "and more; and the answer.",
           .scene = draw,
           .place = ScenePlace::above};
+}
+
+std::string answer_text(const BlocksRuns& all) {
+  const ChainRun& two = all.chains[welded_two];
+  return fmt::format(
+      "{} of {}, {} %, and with three beams {} %. A block removes the coupling inside a joint. That between "
+      "the joints stays.",
+      two.blocks.sweeps, two.rows.sweeps, fixed(share_left(two), 0),
+      fixed(share_left(all.chains[welded_three]), 0));
 }
 
 }  // namespace

@@ -16,17 +16,20 @@ const LessonCard lesson13(
                    "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
      .needs = {"lesson 03", "lesson 09"},
      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
-     .question =
-         "A weight of 1 kg is let go on a spring of 2 Hz with damping ratio ½, 200 mm too low. As a "
-         "force the spring would begin with k\u00a0·\u00a00.2\u00a0m\u00a0=\u00a031.6\u00a0N; a rigid row "
-         "with the same β\u00a0=\u00a00.2 pushes with 110\u00a0N. With how many newtons does the spring push "
-         "as a soft row, in its first step of 0.02\u00a0s?",
-     .spoilers = {"26.4", "less than either", "30.5"},
-     .wrong = {{{31.5},
-                {31.7},
-                "That is the force at the start of the step. A soft row takes the force at "
-                "its end, when the spring has given way."},
-               {{109}, {111}, "So hard pushes a row that does not give way."}},
+     .question = "A weight of 1 kg is let go on a spring of 2 Hz with damping ratio ½, 200 mm too low. As a "
+                 "force the "
+                 "spring would begin with k\u00a0·\u00a00.2\u00a0m\u00a0=\u00a031.6\u00a0N. As a soft row, "
+                 "does it push "
+                 "harder than that in its first step of 0.02\u00a0s, or less? With how many newtons?",
+     .spoilers = {"26.4", "less than the force", "30.5"},
+     .wrong =
+         {{{31.5},
+           {31.7},
+           "That is the force at the start of the step. A soft row takes the force at "
+           "its end, when the spring has given way."},
+          {{31.8},
+           {200},
+           "The weight moves up within the step. Then the spring is less pressed, and its damper resists."}},
      .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
                "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
                "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},

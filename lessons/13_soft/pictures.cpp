@@ -75,8 +75,7 @@ void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const We
   if (step == 0 && is_soft) {
     draw_unknown_push(page, camera.project(tail));
   } else {
-    draw_push(page, camera, all, tail, lambda, step == 0 ? fixed(lambda, 0) + " N" : newtons(all, lambda),
-              step == 0 ? ArrowKind::inactive : ArrowKind::joint);
+    draw_push(page, camera, all, tail, lambda, newtons(all, lambda), ArrowKind::joint);
   }
   if (step == 1 && is_soft)
     draw_push(page, camera, all, tail + Vec2<double>(0.12, 0), force, "as a force " + newtons(all, force),
@@ -86,13 +85,19 @@ void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const We
   page.canvas().text({at.x(), at.y() + name.size}, is_soft ? "soft row" : "rod, same β", name);
 }
 
-/// Both weights.
+/// Both weights; of the question the one on the spring, with what is known of it.
 void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   const Rect inside = page.panel(rect, "");
   const Camera camera = fit(inside, {{left_x, -0.2}, {right_x, 1.7}});
   draw_levels(page, camera, all.spring.error[step]);
   draw_weight(page, camera, all, all.spring, step, soft_x);
-  draw_weight(page, camera, all, all.rigid, step, rigid_x);
+  if (step > 0) return draw_weight(page, camera, all, all.rigid, step, rigid_x);
+  TextStyle text = page.value();
+  text.size *= 1.3;
+  const Point beside = camera.project({soft_x + 0.35, 0.5 * rest_length});
+  page.canvas().text(beside, fmt::format("k = {} N/m", fixed(stiffness(all.settings), 1)), text);
+  page.canvas().text(beside + Point(0, 1.6 * text.size),
+                     fmt::format("d = {} N s/m", fixed(damping_constant(all.settings), 2)), text);
 }
 
 /// c against time; what comes after `step` is pale.
@@ -156,8 +161,8 @@ Shot step_shot(const SoftRuns& all, int step, bool key) {
 /// The weights before or after the first step, which is asked for.
 QuestionFrame weights_frame(const SoftRuns& all, int step) {
   return {.state = step == 0 ? "before the first step" : "after the first step",
-          .alt = step == 0 ? "Two weights, one on a spring and one on a rod, both 200 mm too low; the "
-                             "rod's push of 110 N, the spring's unknown one; and the question."
+          .alt = step == 0 ? "A weight on a spring, 200 mm too low, with its k and d; the spring's unknown "
+                             "push; and the question."
                            : "Both weights after the first step with the pushes of their rows on one scale, "
                              "the spring's as a force in pale beside them; and the "
                              "answer.",

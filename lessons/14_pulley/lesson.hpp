@@ -48,10 +48,10 @@ PulleyStep look(const World<double>& world);
 /// Forgets what comes after a mass has met a wheel or has left the picture, in all runs alike.
 void end_at_wheels(PulleyRuns& all);
 
-/// What each part of the rope would carry [N] if the weights were shared alike: sum m_i g / sum r_i.
-double equal_share(const PulleySettings& settings);
 /// lambda [N] while the rope is taut: sum r_i g / sum r_i^2 / m_i.
 double tension_by_hand(const PulleySettings& settings);
+/// How many solvers find that in the first step.
+int right_solvers(const PulleyRuns& all);
 
 // What is printed, checked and drawn.
 

@@ -128,7 +128,7 @@ void draw_pulls(Page& page, const Camera& camera, const PulleyRuns& all, const P
 /// A speed or an acceleration beside a mass.
 void draw_motion(Page& page, const Camera& camera, const PulleyStep& step, int mass, double value,
                  double metres, const std::string& label) {
-  const double beside = mass == 0 ? -0.55 : 0.55;
+  const double beside = mass == 0 ? -0.7 : 0.55;
   draw_arrow(page, camera, {.pixels_per_unit = camera.scale * metres / std::abs(value), .longest = 1e3},
              {.kind = ArrowKind::velocity,
               .tail = step.snapshot.bodies[{mass + 1}].pose.position +
@@ -248,12 +248,11 @@ List<Shot> pulley_shots(const PulleyRuns& all) {
       "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.", draw_equation));
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
   const double tension = tension_by_hand(all.settings);
-  shots.push_back(answer_shot(
-      card(), moment(all, 1),
-      fmt::format(
-          "{} N, after one sweep; shared alike it would be {} N. The light masses give way. Where the rope "
-          "pulls with less than the weight, a mass goes down.",
-          significant(tension), significant(equal_share(all.settings)))));
+  shots.push_back(answer_shot(card(), moment(all, 1),
+                              fmt::format("All {}: {} N after one sweep. (22) has a third term in its sums, "
+                                          "and nothing else changes. Where the "
+                                          "rope pulls with less than the weight, a mass goes down.",
+                                          right_solvers(all), significant(tension))));
   return shots;
 }
 

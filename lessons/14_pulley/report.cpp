@@ -156,13 +156,4 @@ PulleySettings settings_of(const Lesson& lesson) {
           .lift = lesson.real("lift")};
 }
 
-double equal_share(const PulleySettings& settings) {
-  double weight = 0, ends = 0;
-  for (int i = 0; i < 3; ++i) {
-    weight += gravity * settings.masses[i];
-    ends += parts[i];
-  }
-  return weight / ends;
-}
-
 }  // namespace cairn::pulley
