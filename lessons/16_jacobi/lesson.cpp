@@ -78,7 +78,7 @@ void run(Lesson& lesson) {
   report(lesson, feet, pile);
   lesson.film(everybody_shots(feet, pile));
   lesson.data(sweeps_table(feet, pile));
-  lesson.fingerprint(pile.mirrors[0].frames.back());
+  lesson.fingerprint(pile.snapshot);
 }
 
 }  // namespace

@@ -79,13 +79,12 @@ int clashes(const VelocityProblem<double>& problem, const Colouring& colouring);
 /// "6 + 4 + 4 + 2".
 std::string counts_text(const Colouring& colouring);
 
-// A pyramid: how often a sweep may be repeated, how many are needed, and what is left of its symmetry.
+// A pyramid: how often a sweep may be repeated, and how many are needed.
 
 struct PileSettings {
   int base = 4;        // boxes in the lowest row
   double omega = 0.3;  // of Method::damped
-  int sweeps = 1500;   // in the study of one step
-  int steps = 60;      // of 0.02 s, with the ball
+  int sweeps = 1500;   // of the one step
 };
 
 /// One step of the pyramid at rest, in one method.
@@ -102,17 +101,7 @@ struct TunedJacobi {
   int sweeps_needed = -1;
 };
 
-inline constexpr int many_sweeps = 300;
-inline constexpr int few_sweeps = 10;
 inline constexpr int larger_base = 10;
-
-/// What a solver leaves of the mirror symmetry, step by step; step 0 is the start.
-struct MirrorRun {
-  Method method = Method::split;
-  int sweeps = 10;  // a step
-  List<Snapshot> frames = {};
-  List<double> asymmetry = {};  // [m] how far any body is from its twin's mirror image
-};
 
 struct PileRun {
   PileSettings settings = {};
@@ -129,13 +118,10 @@ struct PileRun {
   TunedJacobi with_momentum = {};        // with 1 / largest_eigenvalue, which is safe, and momentum
   double order_at_once = 0;  // what dealing the rows anew changes after 20 sweeps, over the largest impulse
   double order_in_turn = 0;  // the same for Method::sequential
-  /// Under the ball: Method::split with many sweeps, Method::sequential with few, and with many.
-  List<MirrorRun> mirrors = {};
 };
 
-/// A pyramid of unit boxes of 1 kg with gaps between them; with `ball_speed` [m/s] above 0 also a ball of
-/// 5 kg, half a metre above its top, that falls at it.
-Scene pile_scene(int base, double ball_speed);
+/// A pyramid of unit boxes of 1 kg with gaps between them.
+Scene pile_scene(int base);
 
 PileRun run_pile(const PileSettings& settings);
 
@@ -171,7 +157,7 @@ CsvTable sweeps_table(const FeetRun& feet, const PileRun& pile);
 /// The feet, sweep by sweep, and the pyramid.
 List<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile);
 
-/// Those of the pyramid: its sums, and two pyramids under a ball.
+/// Those of the pyramid.
 List<Shot> pile_shots(const PileRun& pile);
 
 /// All of a pyramid with so many boxes at the bottom.

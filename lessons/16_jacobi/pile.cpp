@@ -1,4 +1,4 @@
-// The pyramid's matrix and its eigenvalues, solves of one step, and two worlds under a falling ball.
+// The pyramid's matrix and its eigenvalues, and solves of one step.
 #include "lesson.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -120,42 +120,9 @@ double effect_of_order(const VelocityProblem<double>& start, Method method) {
   return gap / largest;
 }
 
-double asymmetry(const Snapshot& snapshot, int base) {
-  double largest = 0;
-  int first = 1;
-  for (int boxes = base; boxes >= 0; --boxes) {
-    const int count = std::max(boxes, 1);  // the ball is a row of one
-    for (int i = 0; i < count; ++i) {
-      const Vec2<double> here = snapshot.bodies[{first + i}].pose.position;
-      const Vec2<double> twin = snapshot.bodies[{first + count - 1 - i}].pose.position;
-      largest = std::max({largest, std::abs(here.x() + twin.x()), std::abs(here.y() - twin.y())});
-    }
-    first += count;
-  }
-  return largest;
-}
-
-MirrorRun run_mirror(const PileSettings& settings, Method method, int step_sweeps) {
-  World<double> world(pile_scene(settings.base, 10));
-  const SolverSettings sweeps = {.iterations = step_sweeps};
-  Jacobi<double> at_once(sweeps, Splitting::mass);
-  SequentialImpulse<double> in_turn(sweeps);
-  Solver<double>* solver = &in_turn;
-  if (method == Method::split) solver = &at_once;
-  MirrorRun run{.method = method, .sweeps = step_sweeps};
-  for (int k = 0; k <= settings.steps; ++k) {
-    if (k > 0 && world.step(*solver).not_finite) {
-      throw Diverged("lesson16: the pyramid under " + solver->name() + " blew up");
-    }
-    run.frames.push_back(snapshot(world));
-    run.asymmetry.push_back(asymmetry(run.frames.back(), settings.base));
-  }
-  return run;
-}
-
 }  // namespace
 
-Scene pile_scene(int base, double ball_speed) {
+Scene pile_scene(int base) {
   Scene scene({.gravity = {0, -gravity},
                .dt = time_step,
                .stabilization = {.policy = StabilizationPolicy::baumgarte}});
@@ -166,16 +133,12 @@ Scene pile_scene(int base, double ball_speed) {
       scene.add({.shapes = {box(1, 1)}, .position = {x, 0.5 + level}, .mass = 1});
     }
   }
-  if (ball_speed > 0) {
-    scene.add(
-        {.shapes = {circle(0.5)}, .position = {0, base + 1.0}, .velocity = {0, -ball_speed}, .mass = 5});
-  }
   return scene;
 }
 
 PileRun run_pile(const PileSettings& settings) {
   PileRun run{.settings = settings};
-  World<double> world(pile_scene(settings.base, 0));
+  World<double> world(pile_scene(settings.base));
   run.problem = world.velocity_problem();
   SequentialImpulse<double> solver({.iterations = settings.sweeps});
   world.step(solver);
@@ -183,7 +146,7 @@ PileRun run_pile(const PileSettings& settings) {
   run.largest_eigenvalue = largest_eigenvalue(run.problem, Method::plain);
   run.colours = colours_of(run.problem);
   run.contacts = colour_contacts(run.problem);
-  run.larger = colour_contacts(World<double>(pile_scene(larger_base, 0)).velocity_problem());
+  run.larger = colour_contacts(World<double>(pile_scene(larger_base)).velocity_problem());
   run.rows_on_box = rows_on_each(run.problem);
   for (const Method method : all_methods) run.histories.push_back(pile_history(run, method));
   run.coloured = coloured_history(run);
@@ -192,9 +155,6 @@ PileRun run_pile(const PileSettings& settings) {
   run.with_momentum = {safe, sweeps_with_momentum(run.problem, safe, settings.sweeps)};
   run.order_at_once = effect_of_order(run.problem, Method::split);
   run.order_in_turn = effect_of_order(run.problem, Method::sequential);
-  run.mirrors = {run_mirror(settings, Method::split, many_sweeps),
-                 run_mirror(settings, Method::sequential, few_sweeps),
-                 run_mirror(settings, Method::sequential, many_sweeps)};
   return run;
 }
 

@@ -1,5 +1,4 @@
-// The pyramid: what decides whether Jacobi converges, what it costs, and two worlds beside their mirror
-// images.
+// The pyramid: what decides whether Jacobi converges, and what it costs.
 #include "lesson.hpp"
 
 #include "render/lint.hpp"
@@ -70,67 +69,17 @@ void draw_convergence(Page& page, const PileRun& run) {
   for (const PileHistory& history : run.histories)
     line(method_name(history.method, run.settings.omega), history);
   line("SI, by colours", run.coloured);
+  const int sweeps = run.with_momentum.sweeps_needed;
+  table.rows.push_back({"Jacobi, momentum", fmt::format("{}", sweeps), "2", fmt::format("{}", 2 * sweeps)});
   page.table(parts[1], "", table);
   page.note(parts[2], "With a processor for each row",
-            "All rows of Jacobi work in one turn. SI takes one row after the other. With colours, rows that "
-            "share no "
-            "box run together, so SI can be parallel, too.");
-}
-
-/// The same bodies seen in a mirror at x = 0.
-Snapshot mirrored(const Snapshot& snapshot) {
-  Snapshot image = snapshot;
-  for (SnapshotBody& body : image.bodies) {
-    body.pose = Pose<double>{{-body.pose.position.x(), body.pose.position.y()}, -body.pose.angle};
-  }
-  return image;
-}
-
-std::string mirror_name(const MirrorRun& mirror) {
-  return fmt::format("{}, {} sweeps", mirror.method == Method::split ? "split" : "SI", mirror.sweeps);
-}
-
-void draw_mirror(Page& page, const Rect& rect, const PileRun& run, int which, int step) {
-  const MirrorRun& mirror = run.mirrors[which];
-  const Rect inside =
-      draw_solver_panel(page, rect, style_of(page.theme(), mirror.method), mirror_name(mirror),
-                        "off by " + significant(mirror.asymmetry[step], 2) + " m");
-  const double base = run.settings.base, half = 0.625 * base + 0.6;
-  const Camera camera = fit(inside, {{-half, -0.3}, {half, base + 1.7}});
-  draw_world(page, camera, mirror.frames[step], {.numbers = false, .contacts = false, .penetration = false});
-  const Snapshot image = mirrored(mirror.frames[step]);
-  draw_ghosts(page, camera, {&image, 1});
-}
-
-void draw_asymmetry(Page& page, const PileRun& run, int step) {
-  Plot plot{.title = "how far a body is from its twin's mirror image (m)"};
-  plot.x = {.title = "step", .min = 0, .max = run.settings.steps};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-19, .max = 1e1};
-  for (const MirrorRun& mirror : run.mirrors)
-    plot.series.push_back(
-        over_steps(mirror_name(mirror), style_of(page.theme(), mirror.method), mirror.asymmetry));
-  plot.series[2].style.dash = {3, 4};
-  plot.series[2].style.marker = Marker::circle;
-  plot.now = step;
-  const List<Rect> parts = in_rows(page, {0.5, 0.5});
-  const List<Rect> halves = in_columns(page, parts[0], {0.5, 0.5});
-  for (int which = 0; which < 2; ++which) draw_mirror(page, halves[which], run, which, step);
-  draw_plot(page, parts[1], plot);
-}
-
-Shot mirror_shot(const PileRun& run, int step, const std::set<int>& keys) {
-  return {.state = fmt::format("step {} of {} · grey: the mirror image", step, run.settings.steps),
-          .alt = fmt::format("Step {}: a ball falls on two pyramids, each drawn over its mirror image. Split "
-                             "Jacobi is off by {:.1e} m, SI by {:.1e} m.",
-                             step, run.mirrors[0].asymmetry[step], run.mirrors[1].asymmetry[step]),
-          .draw = [&run, step](Page& page) { draw_asymmetry(page, run, step); },
-          .key = keys.contains(step)};
+            "All rows of Jacobi work in one turn, not counting the sums into each box. SI takes one row "
+            "after the other. With colours, rows that share no box run together, so SI can be parallel, too.");
 }
 
 }  // namespace
 
 List<Shot> pile_shots(const PileRun& run) {
-  const int last = run.settings.steps;
   List<Shot> shots;
   shots.push_back(
       key_shot(run, fmt::format("a pyramid, {} rows", run.problem.row_count()),
@@ -147,7 +96,6 @@ List<Shot> pile_shots(const PileRun& run) {
                   "{} of them go at the same time in {} turns.",
                   counts_text(run.contacts), run.contacts.count.size()),
       draw_colours));
-  for (int step = 1; step <= last; ++step) shots.push_back(mirror_shot(run, step, {15, last}));
   return shots;
 }
 

@@ -73,14 +73,6 @@ void print_pile(Lesson& lesson, const PileRun& run) {
   lesson.print();
   print_colours(lesson, run);
   lesson.print();
-  lesson.print("a ball on the pyramid: sweeps   off its mirror image after 10      30      60 steps (m)");
-  for (const MirrorRun& mirror : run.mirrors) {
-    const List<double>& off = mirror.asymmetry;
-    lesson.print(fmt::format("  {:<18} {:>9} {:>30.0e} {:>7.0e} {:>7.0e}",
-                             method_name(mirror.method, run.settings.omega), mirror.sweeps, off[10], off[30],
-                             off[60]));
-  }
-  lesson.print();
 }
 
 void check_feet(Lesson& lesson, const FeetRun& run) {
@@ -139,14 +131,6 @@ void check_order(Lesson& lesson, const PileRun& run) {
   lesson.check_small("rows backwards, split Jacobi: change of λ", run.order_at_once, rounding);
   lesson.check_that("rows backwards, SI: more than rounding", run.order_in_turn > 1000 * rounding,
                     fmt::format("{:.2g}", run.order_in_turn));
-  // As above in every step; impulses are speeds of up to 10 m/s here, and act for Δt.
-  const double drift = run.settings.steps * 64 * epsilon * (1 + many_sweeps) * 10 * time_step;
-  const auto worst = [&](int i) {
-    return *std::max_element(run.mirrors[i].asymmetry.begin(), run.mirrors[i].asymmetry.end());
-  };
-  lesson.check_small("split Jacobi keeps the mirror symmetry (m)", worst(0), drift);
-  lesson.check_that("SI breaks it, in ten sweeps a step: by more than 1 mm", worst(1) > 1e-3,
-                    fmt::format("{:.0f} mm", 1000 * worst(1)));
 }
 
 /// The sweeps of lesson.cpp beside those of the library.

@@ -59,7 +59,7 @@ double time_in_lanes(VelocityProblem<double> problem) {
 }
 
 ThreadedSweeps sweep_threaded(int base) {
-  const VelocityProblem<double> start = World<double>(pile_scene(base, 0)).velocity_problem();
+  const VelocityProblem<double> start = World<double>(pile_scene(base)).velocity_problem();
   RowSequence sequence;
   order_rows(start, RowOrder::coloured, 1, 1, sequence);
   ThreadedSweeps swept{.rows = start.row_count(), .colours = sequence.colours.size() - 1};

@@ -16,9 +16,9 @@ const LessonCard lesson17(
      .reads = {"src/reference/box2d_world.hpp", "tests/reference/tower_tests.cpp"},
      .question = "Ten boxes of 1\u00a0kg, ten sweeps a step. In step\u00a05 SI finds 133.51\u00a0N at the "
                  "ground, where 100\u00a0N would be right. Box2D has another author, other data and single "
-                 "precision, and visits the contacts in the same order. By how many newtons does it differ "
-                 "from these 133.51\u00a0N?",
-     .spoilers = {"6.26", "millionth", "0.00005"},
+                 "precision. By how many newtons does it differ from these 133.51\u00a0N: by about 30, 3 or "
+                 "0.3, or by less than 0.001?",
+     .spoilers = {"6.26", "0.00005"},
      .unasked = {"steps"},
      .wrong = {{{30}, {40}, "Then Box2D would be right, with ten sweeps. Ten are too few for anybody."},
                {{0.05},

@@ -89,14 +89,17 @@ Camera draw_tower(Page& page, const Rect& rect, const TowerRuns& runs, const Sna
 /// SI's tower and its loads, and what is asked of Box2D.
 void draw_question(Page& page, const Rect& rect, const TowerRuns& runs) {
   const List<Bars> bars = bars_of(page, runs, runs.warm);
-  const Rect view =
-      draw_tower(page, rect, runs, runs.warm[1].frames[asked_step], {bars[0]}, asked_step).viewport;
+  const Camera camera =
+      draw_tower(page, rect, runs, runs.warm[1].frames[asked_step], {bars[0]}, asked_step);
+  const double left = camera.project({0.5, 0}).x() + 14, right = camera.viewport.x + camera.viewport.width;
+  const double baseline =
+      std::min(camera.project({0, 0.5}).y() + page.label().size, camera.project({0, 0}).y() - 4);
   for (const int e : {0, 1}) {
-    TextStyle text{.size = render::large_text, .color = bars[e].style.color, .bold = true};
-    text.align = Align::right;
+    TextStyle text{.size = page.label().size, .color = page.theme().text, .bold = true};
+    text.align = e == 0 ? Align::left : Align::right;
     const std::string load = e == 0 ? fixed((*bars[0].loads)[asked_step][0], 2) : "?";
-    page.canvas().text({view.x + view.width, view.y + (e + 1) * 1.4 * text.size},
-                       fmt::format("{} at the ground: {} N", bars[e].name, load), text);
+    page.canvas().text({e == 0 ? left + 6 : right, baseline},
+                       fmt::format("{}: {} N", bars[e].name, load), text);
   }
 }
 
@@ -171,9 +174,9 @@ Shot step_shot(const TowerRuns& runs, bool is_warm, int frame) {
 
 std::string answer_text(const TowerRuns& runs) {
   return fmt::format(
-      "By {} N, and no load by more than {} N, the rounding of single precision: same rows, same order, same "
-      "sweeps, same wrong loads. From the top down Box2D differs by up to {} N.",
-      significant(gap_asked(runs), 2), significant(gap_to_box2d(runs), 2),
+      "By less than 0.001 N: no load differs by more than {} N, the rounding of single precision. Same rows, "
+      "same order, same sweeps, same wrong loads. From the top down Box2D differs by up to {} N.",
+      significant(gap_to_box2d(runs), 2),
       significant(gap_of_orders(runs), 2));
 }
 

@@ -58,7 +58,7 @@ bool touches(const Snapshot& now, BodyId ball) {
 List<Switches> all_switches() {
   return {
       {.name = "everything", .what = "every row, every sweep"},
-      {.name = "shared friction",
+      {.name = "one friction row",
        .what = "one friction row a manifold",
        .friction_rows = FrictionRows::per_manifold},
       {.name = "no friction", .what = "and none at all", .friction = 0},

@@ -18,18 +18,18 @@ const LessonCard lesson20(
      .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
      .question =
          "Pyramid, tower and chain have 100, 40 and 10 rows. Each step takes 50 sweeps over them, or ends as "
-         "soon as all errors are down to a thousandth: that leaves 89\u00a0% of the row updates. How many "
-         "per "
-         "cent are left if each of the three ends by itself?",
+         "soon as all errors are down to a thousandth: that leaves 89\u00a0% of the row updates. If each "
+         "of the three ends by itself, the pyramid takes nine sweeps on average. How many per cent are left "
+         "then?",
      .spoilers = {"40 %", "0.86 m"},
      .wrong = {{{85},
                 {100},
                 "The tower keeps only itself waiting now: the pyramid, with most of the rows, "
                 "ends much sooner."},
-               {{50},
+               {{47.3},
                 {84.9},
                 "Only the tower takes nearly all of its sweeps, and it has 40 of the 150 rows."},
-               {{0}, {33}, "The tower still takes nearly all of its sweeps, and the others take some."}},
+               {{0}, {33.2}, "The tower still takes nearly all of its sweeps, and the others take some."}},
      .hints = {"If a step ends for all together, which of the three does everybody wait for?",
                "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
                "Add rows × sweeps of the three, and divide by 150 × 50."},

@@ -15,7 +15,7 @@ SeriesStyle style_of(const Page& page, int run) {
 
 /// Horizontal bars, a number for each switch.
 void draw_amounts(Page& page, const Rect& rect, std::string_view title, const NeedsRun& all,
-                  const List<double>& amounts, const std::string& unit) {
+                  const List<double>& amounts, const std::string& unit, int digits) {
   const Rect inside = page.panel(rect, title);
   const TextStyle name = page.label();
   TextStyle value = page.label();
@@ -35,7 +35,7 @@ void draw_amounts(Page& page, const Rect& rect, std::string_view title, const Ne
     page.canvas().rect(
         {left, middle - 0.32 * line, width, 0.64 * line},
         {.fill = style_of(page, i).color, .outline = page.theme().outline, .outline_width = 1});
-    page.canvas().text({left + width + 6, base}, fixed(amounts[i], 0) + unit, value);
+    page.canvas().text({left + width + 6, base}, fixed(amounts[i], digits) + unit, value);
   }
 }
 
@@ -71,7 +71,7 @@ double share_of(const NeedsRun& all, int run) {
 void draw_shares(Page& page, const Rect& rect, const NeedsRun& all) {
   List<double> shares;
   for (int i = 0; i < all.runs.size(); ++i) shares.push_back(share_of(all, i));
-  draw_amounts(page, rect, "row updates of all steps", all, shares, " %");
+  draw_amounts(page, rect, "row updates of all steps", all, shares, " %", 0);
 }
 
 /// A line that is level in each step.
@@ -133,7 +133,7 @@ void draw_prices(Page& page, const NeedsRun& all) {
   for (const BillRun& run : all.runs) prices.push_back(1000 * std::max(0.0, run.off_before - usual));
   const List<Rect> parts = in_rows(page, {{0.66, {1, 1}}, 0.34});
   draw_shares(page, parts[0], all);
-  draw_amounts(page, parts[1], "price: farther off by, before the ball hits", all, prices, " mm");
+  draw_amounts(page, parts[1], "price: farther off by, before the ball hits", all, prices, " mm", 1);
   page.note(
       parts[2], "Farther off",
       fmt::format("With every row and every sweep the top of the tower is {} mm from its place in a run "

@@ -24,7 +24,7 @@ const LessonCard lesson21(
      .unasked = {"beads"},
      .wrong = {{{1}, {1}, "With 10 000 sweeps the rows are solved, and the chain is lost all the same."},
                {{2}, {2}, "No row has an error left then, and the chain is lost all the same."},
-               {{4}, {4}, "Twice the mass holds twice the load. That would be 24 kg here."}},
+               {{4}, {4}, "Twice the mass holds twice the load. That would be 25 kg here."}},
      .hints = {"Push one bead aside by x. Which way do the two taut rods pull it, and how hard?",
                "A rod that pulls with f and has the length l is a spring sideways, of f / l. Neighbours that "
                "swing "

@@ -129,9 +129,9 @@ void draw_growth(Page& page, const ChainRuns& runs) {
   page.note(
       parts[2], "Not the solve: the step",
       fmt::format("Left: squares are measured, the upright line is where ω Δt = 2. Right, under {:g} kg: "
-                  "solved exactly, one step makes the zigzag ten times as wide. Ten sweeps take "
-                  "some steps to find the pull; then they do the same.",
-                  runs.settings.load));
+                  "solved exactly, one step makes {:.0f} mm of {:g} mm. Ten sweeps take some steps "
+                  "to find the pull; then they do the same.",
+                  runs.settings.load, 1000 * runs.sweeps[exactly].off[1], 1000 * runs.sweeps[exactly].off[0]));
 }
 
 void draw_cures(Page& page, const ChainRuns& runs) {

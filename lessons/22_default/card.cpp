@@ -16,19 +16,20 @@ const LessonCard lesson22(
      .reads = {"src/scenes/default_setting.cpp", "lessons/sandbox/CHOOSING.md"},
      .question =
          "Twelve planks on pins are as long as the gap between two banks, and carry three loads. With "
-         "all rows at once the middle load sinks by 2\u00a0mm. With 20 sweeps in each solve no joint "
-         "ever opens by more than 12\u00a0mm. By how many centimetres does the load sink then?",
+         "all rows at once the middle load sinks by 2\u00a0mm. With 20 sweeps instead, no joint ever "
+         "opens by more than 12\u00a0mm, and all 13 together by 7\u00a0cm. By how many centimetres does the "
+         "load sink then?",
      .spoilers = {"59 cm", "Pythagoras"},
      .unasked = {"stones", "tower"},
      .wrong =
          {{{0}, {3}, "The gaps of thirteen joints add up, and the planks need not stay level."},
-          {{10},
+          {{3.1},
            {20},
-           "That is what the gaps add up to, along the bridge. A rope that is a little longer hangs a lot "
-           "lower."}},
+           "That is along the bridge. A rope that is a little longer hangs a lot lower."},
+          {{75}, {110}, "Either half of the bridge has half of the gaps only."}},
      .hints = {"What becomes of a level chain that is a little too long?",
                "Each half is the long side of a triangle. How high is that triangle?",
-               "√((6 + x)² − 6²), where x is what the gaps of half a bridge add up to: less than 7 × 12 mm."},
+               "√((6 + x)² − 6²), where x is half of all gaps, 3.5 cm."},
      .parameters = {{"planks", 12, 4, 24, "", "of the bridge", Parameter::Kind::whole},
                     {"density", 20, 1, 200, "kg/m^2", "of its loads, of 0.64 m^2 each"},
                     {"stones", 30, 1, 60, "", "of the small pile", Parameter::Kind::whole},

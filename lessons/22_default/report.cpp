@@ -34,9 +34,9 @@ void print_all(Lesson& lesson, const DefaultRuns& runs) {
   const double half = 0.5 * runs.settings.planks;
   const double longer = longer_half(runs.small[the_bridge].outcomes[swept].lowest);
   lesson.print(fmt::format(
-      "Under 20 sweeps the gaps of its joints make either half {:.1f} cm longer: straight, it would hang by "
-      "{:.0f} cm.",
-      100 * longer, 100 * hangs_by(half, longer)));
+      "Under 20 sweeps the gaps of its joints are {:.1f} cm together, {:.1f} cm for either half: straight, "
+      "it would hang by {:.0f} cm.",
+      200 * longer, 100 * longer, 100 * hangs_by(half, longer)));
   lesson.print();
 }
 
