@@ -197,6 +197,7 @@ TEST_CASE("variables are slanted; words, names, units and numbers are upright") 
            {"j M⁻¹ jᵀ = max(0, 1/m_{corr})", "jMjm"},
            {"v_{y} = −2.40 m/s", "vy"},
            {"m g = 40 N, at 0.02 s, in 10^{−5} N", "mg"},
+           {"40 N s/m, d in N s/m, m = 2 kg", "dm"},
            {"g Δt t/2, t/Δt steps", "gtttt"},
            {"j = (u_{x}, u_{y}, r × u), r = (−0.5, 0) m", "juxuyrur"},
            {"Aλ = b, the row of A, A λ − b", "AλbAAλb"},
