@@ -72,9 +72,10 @@ void draw_convergence(Page& page, const PileRun& run) {
   const int sweeps = run.with_momentum.sweeps_needed;
   table.rows.push_back({"Jacobi, momentum", fmt::format("{}", sweeps), "2", fmt::format("{}", 2 * sweeps)});
   page.table(parts[1], "", table);
-  page.note(parts[2], "With a processor for each row",
-            "All rows of Jacobi work in one turn, not counting the sums into each box. SI takes one row "
-            "after the other. With colours, rows that share no box run together, so SI can be parallel, too.");
+  page.note(
+      parts[2], "With a processor for each row",
+      "All rows of Jacobi work in one turn, not counting the sums into each box. SI takes one row "
+      "after the other. With colours, rows that share no box run together, so SI can be parallel, too.");
 }
 
 }  // namespace

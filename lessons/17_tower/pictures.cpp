@@ -89,8 +89,7 @@ Camera draw_tower(Page& page, const Rect& rect, const TowerRuns& runs, const Sna
 /// SI's tower and its loads, and what is asked of Box2D.
 void draw_question(Page& page, const Rect& rect, const TowerRuns& runs) {
   const List<Bars> bars = bars_of(page, runs, runs.warm);
-  const Camera camera =
-      draw_tower(page, rect, runs, runs.warm[1].frames[asked_step], {bars[0]}, asked_step);
+  const Camera camera = draw_tower(page, rect, runs, runs.warm[1].frames[asked_step], {bars[0]}, asked_step);
   const double left = camera.project({0.5, 0}).x() + 14, right = camera.viewport.x + camera.viewport.width;
   const double baseline =
       std::min(camera.project({0, 0.5}).y() + page.label().size, camera.project({0, 0}).y() - 4);
@@ -98,8 +97,8 @@ void draw_question(Page& page, const Rect& rect, const TowerRuns& runs) {
     TextStyle text{.size = page.label().size, .color = page.theme().text, .bold = true};
     text.align = e == 0 ? Align::left : Align::right;
     const std::string load = e == 0 ? fixed((*bars[0].loads)[asked_step][0], 2) : "?";
-    page.canvas().text({e == 0 ? left + 6 : right, baseline},
-                       fmt::format("{}: {} N", bars[e].name, load), text);
+    page.canvas().text({e == 0 ? left + 6 : right, baseline}, fmt::format("{}: {} N", bars[e].name, load),
+                       text);
   }
 }
 
@@ -176,8 +175,7 @@ std::string answer_text(const TowerRuns& runs) {
   return fmt::format(
       "By less than 0.001 N: no load differs by more than {} N, the rounding of single precision. Same rows, "
       "same order, same sweeps, same wrong loads. From the top down Box2D differs by up to {} N.",
-      significant(gap_to_box2d(runs), 2),
-      significant(gap_of_orders(runs), 2));
+      significant(gap_to_box2d(runs), 2), significant(gap_of_orders(runs), 2));
 }
 
 }  // namespace

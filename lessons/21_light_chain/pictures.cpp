@@ -126,12 +126,12 @@ void draw_growth(Page& page, const ChainRuns& runs) {
   const List<Rect> parts = in_rows(page, {{0.72, {1, 1}}, 0.28});
   draw_plot(page, parts[0], growth_plot(page, runs));
   draw_plot(page, parts[1], off_plot(page, {&runs.sweeps[exactly], &runs.sweeps[ten_sweeps]}));
-  page.note(
-      parts[2], "Not the solve: the step",
-      fmt::format("Left: squares are measured, the upright line is where ω Δt = 2. Right, under {:g} kg: "
-                  "solved exactly, one step makes {:.0f} mm of {:g} mm. Ten sweeps take some steps "
-                  "to find the pull; then they do the same.",
-                  runs.settings.load, 1000 * runs.sweeps[exactly].off[1], 1000 * runs.sweeps[exactly].off[0]));
+  page.note(parts[2], "Not the solve: the step",
+            fmt::format(
+                "Left: squares are measured, the upright line is where ω Δt = 2. Right, under {:g} kg: "
+                "solved exactly, one step makes {:.0f} mm of {:g} mm. Ten sweeps take some steps "
+                "to find the pull; then they do the same.",
+                runs.settings.load, 1000 * runs.sweeps[exactly].off[1], 1000 * runs.sweeps[exactly].off[0]));
 }
 
 void draw_cures(Page& page, const ChainRuns& runs) {
