@@ -38,6 +38,6 @@ const LessonCard lesson06(
                     {"sweeps", 10, 3, 100, "", "sweeps", Parameter::Kind::whole},
                     {"support", 1, 0.5, 3, "m", "from the left end of the rod to the right support"}},
      .cover = 1,
-     .next = "bash lessons/run 7   (two stories of one stack, side by side)"});
+     .next = "bash lessons/run 7   (two stories of the same rows, side by side)"});
 
 }  // namespace cairn

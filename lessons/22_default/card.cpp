@@ -15,8 +15,8 @@ const LessonCard lesson22(
      .needs = {"lesson 18", "lesson 19", "lesson 21"},
      .reads = {"src/scenes/default_setting.cpp", "lessons/sandbox/CHOOSING.md"},
      .question =
-         "Twelve planks on pins are as long as the gap between two banks, and carry three loads. With "
-         "all rows at once the middle load sinks by 2\u00a0mm. With 20 sweeps instead, no joint ever "
+         "Twelve planks of 1\u00a0m on pins are as long as the gap between two banks, and carry three loads. "
+         "With all rows at once the middle load sinks by 2\u00a0mm. With 20 sweeps instead, no joint ever "
          "opens by more than 12\u00a0mm, and all 13 together by 7\u00a0cm. By how many centimetres does the "
          "load sink then?",
      .spoilers = {"59 cm", "Pythagoras"},
