@@ -30,7 +30,7 @@ const LessonCard lesson13(
           {{31.8},
            {200},
            "The weight moves up within the step. Then the spring is less pressed, and its damper resists."},
-          {{20}, {31.4}, "Less, yes. How much less follows from the end of the step."}},
+          {{28}, {31.4}, "Less, yes. How much less follows from the end of the step."}},
      .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
                "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
                "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},
