@@ -19,7 +19,11 @@ const LessonCard lesson00(
          "pulls. How many metres to each side does it swing after two seconds?",
      .spoilers = {"21", "1.031"},
      .unasked = {"gravity", "spin", "steps"},
-     .wrong = {{{0.9},
+     .wrong = {{{0},
+                {0.89},
+                "A step that moves first goes on with the velocity from before the pull. On the way out that "
+                "is too fast."},
+               {{0.9},
                 {1.1},
                 "So it would with the two lines in the other order. Here each move takes a velocity that is "
                 "out of "

@@ -31,7 +31,6 @@ Flight fly(const Throw& thrown) {
   Flight flight = {.thrown = thrown, .inverse_mass = world.bodies().inverse_mass[{1}]};
   record(flight, world, semi_implicit, explicit_euler);
   for (int step = 1; step <= thrown.steps; ++step) {
-    // [step]
     semi_implicit.velocity += gravity * dt;                 // (12) first the velocity,
     semi_implicit.position += semi_implicit.velocity * dt;  // then the position, with the new velocity
 
@@ -39,48 +38,31 @@ Flight fly(const Throw& thrown) {
     explicit_euler.velocity += gravity * dt;
 
     world.step(solver);  // the library: the first two lines again, for x, y and the angle of every body
-    // [/step]
     record(flight, world, semi_implicit, explicit_euler);
   }
   return flight;
-}
-
-/// The same throw for the same time, in ever smaller steps.
-Convergence halve_the_step(Throw thrown) {
-  Convergence result;
-  for (int halvings = 0; halvings <= 4; ++halvings) {
-    const Flight flight = fly(thrown);
-    result.dt.push_back(thrown.dt);
-    result.semi_implicit.push_back(final_error(flight, flight.semi_implicit));
-    result.explicit_euler.push_back(final_error(flight, flight.explicit_euler));
-    thrown.dt /= 2;
-    thrown.steps *= 2;
-  }
-  return result;
 }
 
 void run(Lesson& lesson) {
   Throw thrown = {.gravity = lesson.real("gravity"), .dt = lesson.real("dt"), .steps = lesson.whole("steps")};
   thrown.velocity.z() = lesson.real("spin");
   const Flight flight = fly(thrown);
-  const Convergence convergence = halve_the_step(thrown);
   const Springs springs = swing(thrown.dt);
 
   tell_scene(lesson, flight);
   lesson.predict();
   tell_steps(lesson, flight);
-  tell_convergence(lesson, convergence);
   tell_springs(lesson, springs);
   lesson.answer({swing_at_end(springs.explicit_euler)}, 2.8,  // where it is at 2 s is right, too
                 fmt::format("Each step multiplies the swing by √(1 + (4π Δt)²), and there are many of them. "
                             "(At 2 s the box is at {} m, and not yet at its turning point.)",
                             fixed(springs.explicit_euler.x.back(), 1)));
-  check_claims(lesson, flight, convergence);
+  check_claims(lesson, flight);
   check_springs(lesson, springs);
   lesson.data(table_of(flight));
   lesson.fingerprint(flight.cairn.back());
   if (lesson.draws()) lesson.print("Pictures are drawn offscreen by " + Canvas(64, 64).backend() + ".");
-  lesson.film(pictures({flight, convergence, springs}));
+  lesson.film(pictures({flight, springs}));
 }
 
 }  // namespace

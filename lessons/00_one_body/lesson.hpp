@@ -26,13 +26,6 @@ struct Flight {
   double gap = 0;  // [m] the largest between Cairn's box and semi-implicit Euler by hand
 };
 
-/// What halving the time step does to the error, at one and the same instant.
-struct Convergence {
-  List<double> dt = {};              // [s]
-  List<double> semi_implicit = {};   // [m] below the parabola
-  List<double> explicit_euler = {};  // [m] above it
-};
-
 /// The centre of the box, moved by hand.
 struct Particle {
   Vec2<double> position = {0, 0};  // [m]
@@ -78,16 +71,14 @@ double rounding_of_height(const Flight& flight);
 
 void tell_scene(Lesson& lesson, const Flight& flight);
 void tell_steps(Lesson& lesson, const Flight& flight);
-void tell_convergence(Lesson& lesson, const Convergence& convergence);
 void tell_springs(Lesson& lesson, const Springs& springs);
-void check_claims(Lesson& lesson, const Flight& flight, const Convergence& convergence);
+void check_claims(Lesson& lesson, const Flight& flight);
 void check_springs(Lesson& lesson, const Springs& springs);
 CsvTable table_of(const Flight& flight);
 
 /// What all frames share.
 struct Story {
   Flight flight = {};
-  Convergence convergence = {};
   Springs springs = {};
 };
 

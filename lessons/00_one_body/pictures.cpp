@@ -72,50 +72,7 @@ Shot step_shot(const Story& story, int step) {
               step, fixed(height(flight.semi_implicit, step), 3), fixed(height(flight.exact, step), 3),
               fixed(height(flight.explicit_euler, step), 3)),
           .draw = draw,
-          .key = step == 1 || step == steps};
-}
-
-void draw_order(Page& page, const Rect& rect, const Story& story) {
-  const Convergence& c = story.convergence;
-  const double time = story.flight.time.back();
-  const double half = story.flight.thrown.gravity * time / 2;
-  const double left = c.dt.back() / 2, right = 1.2 * c.dt.front();
-  Plot plot = {.title = fmt::format("distance from the parabola after {} s (m)", significant(time)),
-               .x = {.title = "Δt (s)", .scale = AxisScale::logarithmic, .min = left, .max = right},
-               .y = {.scale = AxisScale::logarithmic, .min = half * left, .max = half * right}};
-  plot.series = {{.name = "g Δt t/2",
-                  .style = page.theme().exact,
-                  .x = {left, right},
-                  .y = {half * left, half * right},
-                  .markers = false},
-                 {.name = "both methods", .style = {page.theme().text, {}, Marker::circle}, .line = false}};
-  for (int i = c.dt.size() - 1; i >= 0; --i) {  // the name stands at the right end
-    plot.series[1].add(c.dt[i], -c.semi_implicit[i]);
-  }
-  draw_plot(page, rect, plot);
-}
-
-void draw_convergence(Page& page, const Story& story) {
-  const List<Rect> parts = in_columns(page, {0.56, 0.44});
-  draw_order(page, parts[0], story);
-  Rect rest = page.card(
-      parts[1], "order one",
-      "Half the step, half the error: each step misses by g Δt²/2, and the errors of all t/Δt steps add up.");
-  const Convergence& c = story.convergence;
-  TableView table = {.header = {"Δt (s)", "semi-implicit (m)", "explicit (m)"}};
-  for (int i = 0; i < c.dt.size(); ++i)
-    table.rows.push_back({significant(c.dt[i]), fixed(c.semi_implicit[i], 4, Sign::always),
-                          fixed(c.explicit_euler[i], 4, Sign::always)});
-  const List<Rect> below = in_rows(page, rest, {0.58, 0.42});
-  page.table(below[0], "", table);
-  const Throw& thrown = story.flight.thrown;
-  const double time = story.flight.time.back();
-  page.equation(below[1],
-                {.number = "t/Δt steps, each off by g Δt²/2",
-                 .symbols = "error = g Δt t / 2",
-                 .numbers = fmt::format("= {} × {} × {} / 2", significant(thrown.gravity),
-                                        significant(thrown.dt), significant(time)),
-                 .result = fmt::format("= {} m", significant(thrown.gravity * thrown.dt * time / 2))});
+          .key = step == steps};
 }
 
 Shot shot_of_answer(const Story& story) {
@@ -138,9 +95,8 @@ Shot shot_of_answer(const Story& story) {
 
 List<Shot> pictures(const Story& story) {
   List<Shot> shots = {question_shot(card(), {.state = "before it is let go",
-                                             .alt = "A box on a spring, pulled 1 m aside; below it a scale; "
-                                                    "and the question how far it swings after two "
-                                                    "seconds",
+                                             .alt = "A box on a spring, pulled 1 m aside, and the question "
+                                                    "how far it swings after two seconds",
                                              .scene = draw_spring_question})};
   shots.push_back(key_shot(
       story, "on a spring",
@@ -152,11 +108,6 @@ List<Shot> pictures(const Story& story) {
                            "diagonal matrix: 1, 1 and 6.",
                            draw_state));
   for (int step = 1; step <= story.flight.thrown.steps; ++step) shots.push_back(step_shot(story, step));
-  shots.push_back(
-      key_shot(story, "half the step, half the error",
-               "The error at the end of the flight over the time step, on logarithmic axes: measured "
-               "points on a line of slope 1, from the standard step to a sixteenth of it.",
-               draw_convergence));
   shots.push_back(shot_of_answer(story));
   return shots;
 }

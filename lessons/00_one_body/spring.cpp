@@ -47,19 +47,17 @@ void draw_coil(Page& page, const Camera& camera, double from, double to) {
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = page.theme().text});
 }
 
-/// Where the box may be after two seconds: a scale, and a guess to each side.
-void draw_guess_scale(Page& page, const Rect& rect) {
-  const Rect inside = page.panel(rect, "after 2 s: how far to each side? (m)");
-  const double y = inside.y + 0.55 * inside.height;
-  const auto at = [&](double x) { return Point(inside.x + inside.width * (0.5 + x / 52), y); };
-  const Stroke line{.width = page.sizes().axis, .color = page.theme().text};
-  page.canvas().line(at(-25), at(25), line);
-  for (int x = -20; x <= 20; x += 10) {
-    page.canvas().line(at(x), at(x) + Point(0, 8), line);
-    page.canvas().text(at(x) + Point(0, 26), fixed(x, 0), aligned(page.tick(), Align::center));
-  }
+/// How far it swings after two seconds is asked, to each side; a scale would tell.
+void draw_asked(Page& page, const Rect& rect) {
+  const Rect inside = page.panel(rect, "after 2 s: how far to each side?");
+  const double y = inside.y + 0.6 * inside.height, middle = inside.x + 0.5 * inside.width;
+  const Stroke thin{.width = page.sizes().axis, .color = page.theme().text};
   const TextStyle guess{.size = 26, .color = page.theme().velocity, .bold = true, .align = Align::center};
-  for (const double x : {-5, 5, -15, 15}) page.canvas().text(at(x) + Point(0, -8), "?", guess);
+  for (const double side : {-1, 1}) {
+    const Point end(middle + side * 0.47 * inside.width, y);
+    draw_length(page, {middle, y}, end, thin);
+    page.canvas().text({middle + side * 0.24 * inside.width, y - 10}, "? m", guess);
+  }
 }
 
 }  // namespace
@@ -121,7 +119,7 @@ void check_springs(Lesson& lesson, const Springs& springs) {
 
 void draw_spring_question(Page& page, const Rect& rect) {
   const List<Rect> parts = in_rows(page, rect, {0.74, 0.26});
-  draw_guess_scale(page, parts[1]);
+  draw_asked(page, parts[1]);
   const Camera camera = fit(parts[0], {{-3.4, -0.8}, {2.2, 1.4}});
   Scene scene({.gravity = {0, 0}});
   scene.add({.shapes = {box(1, 1)}, .position = {1, 0}, .mass = 1});
