@@ -20,30 +20,26 @@ const LessonCard lesson01(
      .reads = {"src/constraints/distance_joint.cpp", "src/constraints/constraint.hpp",
                "tests/constraints/jacobian_tests.cpp"},
      .question =
-         "A box hangs on a rod of 5\u00a0m from (0,\u00a00) to (3,\u00a0−4)\u00a0m, the middle of its left "
-         "side. How fast does each of these velocities (v_x,\u00a0v_y,\u00a0ω) make the rod longer, in m/s? "
-         "1:\u00a0(0.8,\u00a00.6,\u00a00), 2:\u00a0(0.6,\u00a0−0.8,\u00a00.5), "
-         "3:\u00a0(1,\u00a00.5,\u00a0−0.5).",
-     .spoilers = {"0, 1.2 and 0", "the first and the third", "0.6 − 0.4 − 0.2"},
-     .unasked = {"lambda", "seed"},
-     .wrong = {{{0, 0.99, 0.199},
-                {0, 1.01, 0.201},
-                "You left the turning out: a turning box moves the end of its arm."},
-               {{0, 0.79, 0.399},
-                {0, 0.81, 0.401},
-                "A box that turns counterclockwise moves its left side down, not up."}},
+         "A rod of 5\u00a0m goes from (0,\u00a00) to (3,\u00a0−4)\u00a0m, the middle of the left side of a "
+         "box. The box moves at 1\u00a0m/s to the right and 0.5\u00a0m/s up, and turns at "
+         "−0.5\u00a0rad/s, that is clockwise. How fast does the rod get longer, in m/s?",
+     .spoilers = {"neither longer nor shorter", "0.6 − 0.4 − 0.2"},
+     .unasked = {"lambda"},
+     .wrong = {{{0.19}, {0.21}, "You left the turning out: a turning box moves the end of its arm."},
+               {{0.39}, {0.41}, "A box that turns clockwise moves its left side up, not down."},
+               {{-0.21}, {-0.19}, "So much takes the turning. The box moves along the rod as well."},
+               {{1}, {1.2}, "So fast goes the centre. Only motion along the rod makes the rod longer."}},
      .hints = {"Only what the anchor does along the rod makes it longer. Across the rod it may move.",
                "The rod points along u = (0.6, −0.8). When the box turns, the anchor moves too: up for a "
                "negative ω, because it is left of the centre.",
-               "j = (0.6, −0.8, 0.4), and the third is 0.6 − 0.4 − 0.2."},
+               "j = (0.6, −0.8, 0.4), and the sum is 0.6 − 0.4 − 0.2."},
      .parameters = {{"x", 3, 1, 6, "m", "anchor, to the right of the pivot"},
                     {"y", -4, -6, -1, "m", "anchor, above the pivot"},
                     {"turn", 0, -180, 180, "°", "of the box about its anchor"},
                     {"vx", 1, -10, 10, "m/s", "velocity of the box"},
-                    {"vy", 2, -10, 10, "m/s", "velocity of the box"},
-                    {"omega", 0.5, -5, 5, "rad/s", "how fast it turns"},
-                    {"lambda", -10, -1000, 1000, "N", "strength of the rod; negative: it pulls"},
-                    {"seed", 1, 0, 1e6, "", "of the random poses", Parameter::Kind::whole}},
+                    {"vy", 0.5, -10, 10, "m/s", "velocity of the box"},
+                    {"omega", -0.5, -5, 5, "rad/s", "how fast it turns"},
+                    {"lambda", -10, -1000, 1000, "N", "strength of the rod; negative: it pulls"}},
      .cover = 1,
      .next = "bash lessons/run 2   (how large λ has to be)"});
 

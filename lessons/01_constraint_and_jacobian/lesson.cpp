@@ -67,7 +67,7 @@ void look_at(Rod& rod) {
   rod.error = error_at(rod, rod.pose);
   rod.jacobian = jacobian_at(rod, rod.pose);
   for (int half = 2; half <= 22; ++half) rod.quotients.push_back(quotient(rod, std::pow(10, -0.5 * half)));
-  rod.asked = asked_motions(rod.jacobian);
+  rod.motion = motion_of(rod.jacobian, "as asked", rod.settings.velocity);
   rod.allowed = allowed_motions(rod.jacobian, rod.arm);
   rod.force = rod.jacobian * rod.settings.lambda;  // (10) f = jᵀ λ
 }
@@ -78,22 +78,17 @@ void run(Lesson& lesson) {
                       .velocity = {lesson.real("vx"), lesson.real("vy"), lesson.real("omega")},
                       .lambda = lesson.real("lambda")});
   look_at(rod);
-  const List<KindOfRows> kinds =
-      compare_every_kind(static_cast<std::uint64_t>(lesson.whole("seed")), small_step);
   print_scene(lesson, rod);
   lesson.predict();
   lesson.print();
   print_derivative(lesson, rod);
   print_motions(lesson, rod);
-  print_kinds(lesson, kinds);
-  List<double> rates;
-  for (const Motion& motion : rod.asked) rates.push_back(motion.rate);
-  lesson.answer(rates, 0.01,
+  lesson.answer({rod.motion.rate}, 0.01,
                 "It is j·v. Where that is 0 the rod allows the motion: one row takes one of three freedoms, "
                 "and two are left, swinging and turning about the anchor.");
-  check_derivative(lesson, rod, kinds);
+  check_derivative(lesson, rod);
   check_force(lesson, rod);
-  lesson.film(rod_shots({rod, kinds}));
+  lesson.film(rod_shots(rod));
   lesson.data(quotients_table(rod));
   lesson.fingerprint({rod.error, rod.jacobian.x(), rod.jacobian.y(), rod.jacobian.z(), rod.force.z()});
 }

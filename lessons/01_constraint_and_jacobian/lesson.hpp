@@ -2,8 +2,6 @@
 // about motions.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 
 #include "lessons/kit/kit.hpp"
 
@@ -15,7 +13,7 @@ inline constexpr double small_step = 1e-5;  // of central differences: near the 
 struct RodSettings {
   Vec2<double> anchor = {3, -4};      // [m]
   double turn = 0;                    // [rad] of the box about the anchor
-  Vec3<double> velocity = {1, 2, 0};  // [m/s, m/s, rad/s]
+  Vec3<double> velocity = {0, 0, 0};  // [m/s, m/s, rad/s]
   double lambda = 0;                  // [N] of the rod; negative: it pulls
 };
 
@@ -34,13 +32,6 @@ struct Quotient {
   double error = 0;
 };
 
-/// How well the rows of one kind of constraint agree with central differences, over random poses.
-struct KindOfRows {
-  std::string name = {};
-  int rows = 0;
-  double error = 0;  // the largest
-};
-
 /// Everything that the lesson says about one pose.
 struct Rod {
   RodSettings settings = {};
@@ -52,7 +43,7 @@ struct Rod {
   double length = 0;                   // [m] of the rod
   double error = 0;                    // c [m]
   Vec3<double> jacobian = {0, 0, 0};   // j: 1, 1, m
-  List<Motion> asked = {};             // the three of the question
+  Motion motion = {};                  // with settings.velocity
   List<Motion> allowed = {};           // swing, turn about the anchor, and a mixture
   List<Quotient> quotients = {};       // h = 10^-1, 10^-1.5 ... 10^-11
   Vec3<double> force = {0, 0, 0};      // f = j^T lambda [N, N, N m]
@@ -64,9 +55,9 @@ double error_at(const Rod& rod, const Pose<double>& box);
 Pose<double> carried(const Pose<double>& pose, const Vec3<double>& velocity, double t);
 /// The scene with the box at another pose.
 Snapshot moved_to(const Rod& rod, const Pose<double>& pose);
-/// The motions of the question, and those that a row with this j leaves of three: swing, turn about the
-/// anchor, and a mixture of both.
-List<Motion> asked_motions(const Vec3<double>& jacobian);
+/// A velocity under a row with this j.
+Motion motion_of(const Vec3<double>& jacobian, const std::string& name, const Vec3<double>& velocity);
+/// The motions that the row leaves of three: swing, turn about the anchor, and a mixture of both.
 List<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& arm);
 Quotient quotient(const Rod& rod, double h);
 
@@ -75,27 +66,17 @@ Quotient quotient(const Rod& rod, double h);
 /// few times.
 double quotient_tolerance(double h);
 
-/// Every kind of constraint that the library has, each at 20 random poses.
-List<KindOfRows> compare_every_kind(std::uint64_t seed, double h);
-
 // What is printed, checked and drawn.
 
 void print_scene(Lesson& lesson, const Rod& rod);
 void print_derivative(Lesson& lesson, const Rod& rod);
 void print_motions(Lesson& lesson, const Rod& rod);
-void print_kinds(Lesson& lesson, const List<KindOfRows>& kinds);
-void check_derivative(Lesson& lesson, const Rod& rod, const List<KindOfRows>& kinds);
+void check_derivative(Lesson& lesson, const Rod& rod);
 void check_force(Lesson& lesson, const Rod& rod);
 CsvTable quotients_table(const Rod& rod);
 
-/// What the frames show.
-struct Story {
-  Rod rod = {};
-  List<KindOfRows> kinds = {};
-};
-
 /// Where, which way, how fast, and how strong.
-List<Shot> rod_shots(const Story& story);
+List<Shot> rod_shots(const Rod& rod);
 
 /// What is drawn of the rod besides the box.
 struct RodLook {
@@ -106,9 +87,8 @@ struct RodLook {
   bool circles = false;                       // level curves of c
   bool direction = false;                     // j: an arrow and an arc
   bool force = false;                         // j^T lambda: an arrow and an arc
-  int asked = -1;                             // a velocity of the question, at the centre
-  bool answered = false;                      // all three of them, of the anchor
-  std::optional<Vec3<double>> velocity = {};  // arrows at the centre and at the anchor
+  bool asked = false;                         // the velocity at the centre, and what is known of the rod
+  bool velocity = false;                      // the velocity at the centre and at the anchor
 };
 
 /// The pivot, the rod and the box, in a panel.

@@ -3,19 +3,10 @@
 
 namespace cairn::one_row {
 
-namespace {
-
-Motion motion(const Vec3<double>& jacobian, const std::string& name, const Vec3<double>& velocity) {
+Motion motion_of(const Vec3<double>& jacobian, const std::string& name, const Vec3<double>& velocity) {
   const double rate = jacobian.dot(velocity);  // (5)
   const double rounding = 8 * epsilon * velocity.norm();
   return {.name = name, .velocity = velocity, .rate = std::abs(rate) > rounding ? rate : 0};
-}
-
-}  // namespace
-
-List<Motion> asked_motions(const Vec3<double>& jacobian) {
-  return {motion(jacobian, "first", {0.8, 0.6, 0}), motion(jacobian, "second", {0.6, -0.8, 0.5}),
-          motion(jacobian, "third", {1, 0.5, -0.5})};
 }
 
 List<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& arm) {
@@ -23,8 +14,8 @@ List<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& a
   const Vec2<double> across = perpendicular(along);
   const Vec3<double> swing(across.x(), across.y(), 0);
   const Vec3<double> turn(arm.y(), -arm.x(), 1);  // v = −ω × r: the anchor stands still
-  return {motion(jacobian, "swing, without turning", swing), motion(jacobian, "turn about the anchor", turn),
-          motion(jacobian, "1.25 swing − 0.5 turn", 1.25 * swing - 0.5 * turn)};
+  return {motion_of(jacobian, "swing, without turning", swing), motion_of(jacobian, "turn about the anchor", turn),
+          motion_of(jacobian, "1.25 swing − 0.5 turn", 1.25 * swing - 0.5 * turn)};
 }
 
 Pose<double> carried(const Pose<double>& pose, const Vec3<double>& velocity, double t) {

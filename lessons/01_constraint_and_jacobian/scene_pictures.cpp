@@ -8,7 +8,8 @@ namespace {
 /// The pivot, the box, and the circles around the pivot with room for their names; or the box alone.
 Camera rod_camera(const Rect& inside, const Rod& rod, const RodLook& look) {
   const Vec2<double>& anchor = rod.settings.anchor;
-  if (look.asked >= 0) return fit(inside, {anchor - Vec2<double>(0.8, 2.6), anchor + Vec2<double>(2, 2.6)});
+  if (look.asked)
+    return fit(inside, {{-1, std::min(-1.0, anchor.y()) - 1.8}, {std::max(1.0, anchor.x()) + 2.5, 0.5}});
   if (look.close) return fit(inside, {anchor - Vec2<double>(1.7, 2.2), anchor + Vec2<double>(2.6, 2)});
   return fit(inside, {{std::min(-1.3, 0.9 * anchor.x() - 2.6), -rod.length - 1.5},
                       {std::max(anchor.x() + 2.6, 4.0), 0.5}});
@@ -210,46 +211,34 @@ void draw_velocities(Page& page, const Camera& camera, const Rod& rod, const Vec
                 "centre", aside);
 }
 
-/// A velocity of the question: at the centre, and around it.
-void draw_asked(Page& page, const Camera& camera, const Rod& rod, const Vec3<double>& v) {
+/// The velocity of the question, at the centre and around it; and where the rod begins and ends.
+void draw_asked(Page& page, const Camera& camera, const Rod& rod) {
+  const Vec3<double>& v = rod.motion.velocity;
   const ArrowScale scale{.pixels_per_unit = 1.4 * camera.scale, .longest = 1e4};
   draw_velocity(page, camera, scale,
-                {.kind = ArrowKind::velocity, .tail = rod.pose.position, .value = v.head<2>()}, "");
-  if (v.z() == 0) return;
-  draw_arc(page, camera,
-           {.center = rod.pose.position,
-            .radius = 1.05,
-            .middle = v.z() > 0 ? 1.5 : -1.7,
-            .sign = v.z() > 0 ? 1.0 : -1.0,
-            .label = significant(v.z()) + " rad/s",
-            .color = page.theme().velocity});
-}
-
-/// All three as the rod sees them.
-void draw_answered(Page& page, const Camera& camera, const Rod& rod) {
-  const ArrowScale scale{.pixels_per_unit = 1.4 * camera.scale, .longest = 1e4};
-  for (int i = 0; i < rod.asked.size(); ++i) {
-    const Motion& motion = rod.asked[i];
-    std::string name = std::to_string(i + 1);
-    if (motion.rate != 0) name += ": " + significant(motion.rate) + " m/s";
-    draw_velocity(
-        page, camera, scale,
-        {.kind = ArrowKind::velocity, .tail = rod.settings.anchor, .value = at_anchor(rod, motion.velocity)},
-        name);
-  }
-}
-
-std::string title_of(const Rod& rod, int asked) {
-  if (asked < 0) return "";
-  const Vec3<double>& v = rod.asked[asked].velocity;
-  return fmt::format("{}: ({}, {}, {})", asked + 1, significant(v.x()), significant(v.y()),
-                     significant(v.z()));
+                {.kind = ArrowKind::velocity, .tail = rod.pose.position, .value = v.head<2>()},
+                fmt::format("({}, {}) m/s", significant(v.x()), significant(v.y())));
+  if (v.z() != 0)
+    draw_arc(page, camera,
+             {.center = rod.pose.position,
+              .radius = 1.05,
+              .middle = v.z() > 0 ? 1.5 : -1.7,
+              .sign = v.z() > 0 ? 1.0 : -1.0,
+              .label = significant(v.z()) + " rad/s",
+              .color = page.theme().velocity});
+  const TextStyle style = bold_label(page, page.theme().text);
+  const Vec2<double>& end = rod.settings.anchor;
+  page.canvas().text(camera.project({0, 0}) + Point(16, 5), "(0, 0)", style);
+  page.canvas().text(camera.project(0.5 * end) + Point(16, 0), significant(rod.length) + " m", style);
+  page.canvas().text(camera.project(end) + Point(-16, 5),
+                     fmt::format("({}, {}) m", significant(end.x()), significant(end.y())),
+                     aligned(style, Align::right));
 }
 
 }  // namespace
 
 void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look) {
-  const Rect inside = page.panel(rect, title_of(rod, look.asked));
+  const Rect inside = page.panel(rect, "");
   const Camera camera = rod_camera(inside, rod, look);
   page.canvas().push_clip(inside);
   if (look.circles) draw_circles(page, camera, rod, look);
@@ -268,9 +257,8 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
     draw_errors(page, camera, rod, poses);
   }
   if (look.direction || look.force) draw_row_arrows(page, camera, rod, look);
-  if (look.asked >= 0) draw_asked(page, camera, rod, rod.asked[look.asked].velocity);
-  if (look.answered) draw_answered(page, camera, rod);
-  if (look.velocity) draw_velocities(page, camera, rod, *look.velocity);
+  if (look.asked) draw_asked(page, camera, rod);
+  if (look.velocity) draw_velocities(page, camera, rod, rod.motion.velocity);
   page.canvas().pop_clip();
 }
 
