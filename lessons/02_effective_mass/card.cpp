@@ -6,7 +6,7 @@ namespace cairn {
 const LessonCard lesson02(
     {.number = 2,
      .name = "effective_mass",
-     .title = "Hard to push, here, this way",
+     .title = "How heavy is a corner?",
      .idea = "How hard must one push be to give one point of a body the right velocity? One number of the "
              "row and "
              "its bodies answers that: the effective mass.",

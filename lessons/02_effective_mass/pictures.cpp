@@ -27,15 +27,16 @@ TableView table_of(const Pushes& all, const List<std::string>& header, int known
   return table;
 }
 
-/// Question and answer: all three places side by side, at one scale.
+/// Question and answer: below the centre and at the last place, side by side, at one scale.
 QuestionFrame frame_of(const Pushes& all, const std::string& state, const std::string& alt,
                        const PegLook& look) {
   return {.state = state,
           .alt = alt,
           .scene =
               [&all, look](Page& page, const Rect& rect) {
-                const List<Rect> panels = in_columns(page, rect, {1, 1, 1});
-                for (int i = 0; i < panels.size(); ++i) draw_push(page, panels[i], all, all.at[i], look);
+                const List<Rect> panels = in_columns(page, rect, {1, 1});
+                draw_push(page, panels[0], all, all.at.front(), look);
+                draw_push(page, panels[1], all, all.at.back(), look);
               },
           .place = ScenePlace::above};
 }
@@ -139,38 +140,7 @@ void draw_this_way(Page& page, const Pushes& all) {
   draw_push(page, halves[1], all, all.at[2], {.directions = true});
 }
 
-void draw_others(Page& page, const Pushes& all) {
-  const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.48, 0.52}}});
-  const double m = all.settings.mass;
-  Plot plot{.title = "effective mass of box and peg, below the centre (kg)"};
-  Series curve{.style = {.color = page.theme().normal}, .markers = false};
-  Series found{.style = {page.theme().outline, {}, Marker::circle}, .line = false};
-  for (int k = -16; k <= 16; ++k) {
-    const double other = m * std::pow(10, k / 4.0 * 0.75);
-    curve.add(other, 1 / (1 / m + 1 / other));
-  }
-  TableView table{.header = {"peg (kg)", "1/m of both", "effective (kg)"}};
-  for (const OtherMass& other : all.others) {
-    const bool fixed_peg = !(other.mass > 0);
-    table.rows.push_back({fixed_peg ? "fixed" : significant(other.mass), significant(1 / other.effective, 4),
-                          significant(other.effective, 4)});
-    if (fixed_peg || other.mass < curve.x.front() || other.mass > curve.x.back()) continue;
-    found.add(other.mass, other.effective);
-  }
-  plot.series = {curve, found};
-  plot.goals.push_back({m, "the box alone"});
-  plot.x = {.title = "mass of the peg (kg)", .scale = AxisScale::logarithmic};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .max = 3 * m};
-  draw_plot(page, parts[0], plot);
-  page.equation(parts[1],
-                {.number = "two bodies that can move",
-                 .symbols = "j M⁻¹ j^{T} = 1/m_{1} + 1/m_{2}",
-                 .numbers = fmt::format("= 1/{} + 1/{}", significant(m), significant(all.others[2].mass)),
-                 .result = fmt::format("= 1 / ({} kg)", significant(all.others[2].effective, 4))});
-  page.table(parts[2], "what the box meets", table);
-}
-
-/// The first and the last place are key frames; what the first push leaves is nothing.
+/// Those of the last place are key frames: their tables have all three.
 void append_pushes(const Pushes& all, List<Shot>& shots) {
   for (int i = 0; i < all.at.size(); ++i) {
     const Push& push = all.at[i];
@@ -180,14 +150,14 @@ void append_pushes(const Pushes& all, List<Shot>& shots) {
                              "(22) filled in.",
                              push.x, push.impulse),
                  [i](Page& page, const Pushes& pushes) { draw_step(page, pushes, i); }));
-    shots.back().key = i != 1;
+    shots.back().key = i == 2;
     shots.push_back(
         key_shot(all, fmt::format("after push {} of 3", i + 1),
                  fmt::format("After the push the box moves at {:.3f} m/s and turns at {:.3f} rad/s, so "
                              "that the contact stands still; outlines show where it goes.",
                              push.after.bodies[{2}].velocity.y(), push.after.bodies[{2}].velocity.z()),
                  [i](Page& page, const Pushes& pushes) { draw_after(page, pushes, i); }));
-    shots.back().key = i != 0;
+    shots.back().key = i == 2;
   }
 }
 
@@ -197,7 +167,8 @@ List<Shot> peg_shots(const Pushes& all) {
   List<Shot> shots = {question_shot(
       card(),
       frame_of(all, "before the push",
-               "A box that falls on a peg below its corner, and the question how hard the peg has to push",
+               "A box that falls on a peg, once below its centre and once below its corner, and the question "
+               "how hard the peg has to push",
                {.asked = true, .named = true}))};
   shots.push_back(key_shot(all, "the row",
                            "The row j and the diagonal of M⁻¹ for peg and box, and j M⁻¹ jᵀ from both.",
@@ -211,9 +182,6 @@ List<Shot> peg_shots(const Pushes& all) {
                "Below the centre and off-centre a closed curve: its distance from the contact is "
                "the effective mass in that direction, all of the box towards its centre and less across.",
                draw_this_way));
-  shots.push_back(key_shot(all, "against what",
-                           "The effective mass against the mass of the peg: never more than the box alone.",
-                           draw_others));
   const std::string answer = fmt::format(
       "Less: {} N s instead of {}. Off-centre the box also turns, so its corner yields more easily: here, "
       "this way, the effective mass is {} kg instead of {} kg.",
@@ -221,7 +189,7 @@ List<Shot> peg_shots(const Pushes& all) {
       significant(all.settings.mass));
   shots.push_back(answer_shot(
       card(),
-      frame_of(all, "after the lesson", "The pushes at three places, at one scale, and the answer.",
+      frame_of(all, "after the lesson", "The pushes below the centre and below the corner, at one scale, and the answer.",
                {.push = true, .named = true}),
       answer));
   return shots;
