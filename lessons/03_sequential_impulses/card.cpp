@@ -17,28 +17,25 @@ const LessonCard lesson03(
      .needs = {"lesson 02"},
      .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
      .question =
-         "Boxes of 1, 1 and 9\u00a0kg fall at 0.2\u00a0m/s. From the ground up, each contact in turn pushes "
-         "just so hard that its own two boxes stop approaching each other. After one such sweep, how fast "
-         "does the "
-         "heavy box still fall, in m/s?",
-     .spoilers = {"0.19", "stops box 1"},
+         "Three boxes of 1\u00a0kg fall at 0.2\u00a0m/s. From the ground up, each contact in turn pushes just "
+         "so hard that its own two boxes stop approaching each other. After one such sweep, how fast does "
+         "the uppermost box still fall, in m/s?",
+     .spoilers = {"0.15 m/s", "stops box 1"},
      .unasked = {"sweeps", "seed"},
      .wrong = {{{0},
-                {0.02},
-                "The last push leaves box 2 and the heavy box equally fast, and box 2 still falls."},
+                {0.019},
+                "Then one sweep would be enough. But the last push leaves boxes 2 and 3 equally fast, and box 2 "
+                "was falling."},
+               {{0.02},
+                {0.06},
+                "When its contact is visited, box 3 still falls at 0.2 m/s: no push before has reached it."},
                {{0.09},
                 {0.11},
-                "So fast falls box 2 before the last push. The heavy box hardly notices that push."},
-               {{0.14},
-                {0.16},
-                "So it would with 1 kg on top. The push changes nine times the mass a ninth as much."},
+                "So fast falls box 2 before the last push. That push makes boxes 2 and 3 equally fast."},
                {{0.199}, {0.21}, "Box 2 is slower by then, so the last contact has an error, and pushes."}},
-     .hints =
-         {"A push has two ends: it slows the upper box and speeds up the lower one, the lighter one "
-          "more.",
-          "Row 1 stops box 1. Row 2 finds 0.2 m/s between two boxes of 1 kg; both fall at 0.1 m/s then.",
-          "Row 3 makes boxes 2 and 3 fall equally fast and keeps their momentum: 1 kg × 0.1 m/s + 9 kg × 0.2 "
-          "m/s."},
+     .hints = {"A push has two ends: it slows the upper box and speeds up the lower one, as much.",
+               "Row 1 stops box 1. Row 2 finds 0.2 m/s between two boxes of 1 kg; both fall at 0.1 m/s then.",
+               "Row 3 makes boxes 2 and 3 equally fast: the mean of 0.1 and 0.2 m/s."},
      .parameters = {{"bodies", 3, 1, 10, "", "boxes", Parameter::Kind::whole},
                     {"dt", 0.02, 0.0001, 1, "s", "time step"},
                     {"gravity", 10, 0.01, 1000, "m/s^2", "gravity, downwards"},

@@ -7,11 +7,8 @@
 
 namespace cairn::stack {
 
-inline constexpr double heavy_mass = 9;  // [kg] of the uppermost box in the question
-
 struct StackSettings {
   int boxes = 3;
-  double top = 1;       // [kg] of the uppermost box; all others have 1 kg
   double dt = 0.02;     // [s]
   double gravity = 10;  // [m/s^2]
   int sweeps = 10;
@@ -43,9 +40,6 @@ List<double> lambda_after(const StackRun& run, int sweep);
 /// Gauss-Seidel on A lambda = b in plain loops: lambda [N] of each row after every sweep, [sweep][row].
 List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sweeps);
 
-/// How fast two boxes fall [m/s] after a push has made them equally fast: it does not change their momentum.
-double shared_speed(double mass_a, double speed_a, double mass_b, double speed_b);
-
 /// What one sweep leaves of the error: rho = cos^2(pi / 2n), derived in README.md.
 double error_factor(int boxes);
 
@@ -59,11 +53,11 @@ void tell_scene(Lesson& lesson, const StackRun& run);
 void tell_updates(Lesson& lesson, const StackRun& run);
 void tell_sweeps(Lesson& lesson, const StackRun& run);
 void check_claims(Lesson& lesson, const StackRun& run);
-/// What the question's stack does, by momentum.
-void check_question(Lesson& lesson, const StackRun& heavy);
+/// What one sweep from the ground up leaves of the uppermost box's speed.
+void check_question(Lesson& lesson, const StackRun& run);
 CsvTable table_of(const StackRun& run);
 
 /// The question, a frame for every row update, the course of all sweeps, and the answer.
-List<Shot> stack_shots(const StackRun& run, const StackRun& heavy);
+List<Shot> stack_shots(const StackRun& run);
 
 }  // namespace cairn::stack

@@ -26,8 +26,7 @@ PerRow<int> visiting_order(const StackSettings& settings) {
 /// Boxes that gravity has just made fall, one normal row per interface with j = (0, -1, 0 | 0, 1, 0), and
 /// nothing else. Row k is the k-th in visiting order.
 VelocityProblem<double> stack_problem(const StackSettings& settings, const PerRow<int>& interface_of_row) {
-  List<double> masses(settings.boxes, 1.0);
-  masses.back() = settings.top;
+  const List<double> masses(settings.boxes, 1.0);
   const VelocityProblem<double> upwards = cases::column<double>(masses, settings.gravity, settings.dt);
   VelocityProblem<double> problem = upwards;
   for (int k = 0; k < interface_of_row.size(); ++k) problem.rows[k] = upwards.rows[interface_of_row[k]];
@@ -39,8 +38,7 @@ VelocityProblem<double> stack_problem(const StackSettings& settings, const PerRo
 StackRun falling_stack(const StackSettings& settings) {
   StackRun run{.settings = settings, .interface_of_row = visiting_order(settings)};
   run.problem = stack_problem(settings, run.interface_of_row);
-  for (int i = 0; i < settings.boxes; ++i)
-    run.exact.push_back((settings.boxes - 1 - i + settings.top) * settings.gravity);
+  for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * settings.gravity);
   run.snapshot = stack_at_rest(settings.boxes);
   return run;
 }
@@ -82,10 +80,6 @@ List<PerRow<double>> gauss_seidel(const VelocityProblem<double>& problem, int sw
     history.push_back(lambda);
   }
   return history;
-}
-
-double shared_speed(double mass_a, double speed_a, double mass_b, double speed_b) {
-  return (mass_a * speed_a + mass_b * speed_b) / (mass_a + mass_b);
 }
 
 double error_factor(int boxes) {

@@ -22,6 +22,7 @@ using render::TextStyle;
 
 constexpr double near_place = -0.7, far_place = -1.0;  // [m] of the arrows, from the middle of the stack
 constexpr double velocity_place = 0.75;
+constexpr double longest_push = 0.65, ground_depth = 0.7;  // [m]
 constexpr double text_gap = 14;  // [px] from an arrow
 
 TextStyle style_of(const Page& page, bool active) {
@@ -35,7 +36,9 @@ TextStyle style_of(const Page& page, bool active) {
 /// meet.
 void draw_pushes(Page& page, const Camera& camera, const StackMoment& moment) {
   const ArrowScale scale{
-      .pixels_per_unit = camera.scale / moment.largest_lambda, .longest = camera.scale, .unit = "N"};
+      .pixels_per_unit = longest_push * camera.scale / moment.largest_lambda,
+      .longest = camera.scale,
+      .unit = "N"};
   for (int i = 0; i < moment.lambda.size(); ++i) {
     const double lambda = moment.lambda[i], y = i;
     const double place = i % 2 == 0 ? near_place : far_place;
@@ -89,9 +92,8 @@ Snapshot stack_at_rest(int boxes, double sunk) {
 
 Camera draw_stack_panel(Page& page, const render::Rect& view, const StackMoment& moment) {
   const auto boxes = static_cast<double>(moment.lambda.size());
-  const double right = moment.velocity.empty() ? 0.8 : 2.3;
-  Camera camera = render::fit(view, {{-2.3, -1}, {right, boxes + 0.1}});
-  camera.center.y() = 0.5 * view.height / camera.scale - 1;
+  Camera camera = render::fit(view, {{-2.05, -ground_depth}, {2.05, boxes + 0.1}});
+  camera.center.y() = 0.5 * view.height / camera.scale - ground_depth;
   render::WorldLook look;
   look.penetration = false;
   look.active_contact = moment.active;

@@ -16,7 +16,7 @@ struct StackMoment {
   List<double> velocity = {};   // [m/s] of each box, upwards; empty: not drawn
   List<double> earlier = {};    // [m/s] before the last row update, drawn pale where it changed
   int active = -1;              // the contact that is being visited
-  double largest_lambda = 1;    // [N] that is as long as a box is high
+  double largest_lambda = 1;    // [N] that is two thirds as long as a box is high
   double largest_velocity = 1;  // [m/s] that is half as long
 };
 
