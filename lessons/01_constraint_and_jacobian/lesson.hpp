@@ -2,7 +2,6 @@
 // about motions.
 #pragma once
 
-
 #include "lessons/kit/kit.hpp"
 
 namespace cairn::one_row {
@@ -80,15 +79,15 @@ List<Shot> rod_shots(const Rod& rod);
 
 /// What is drawn of the rod besides the box.
 struct RodLook {
-  Pose<double> pose = {};                     // of the box
-  bool close = false;                         // only the box and its surroundings
-  List<Pose<double>> others = {};             // outlines of the box elsewhere
-  bool errors = false;                        // c of the box and of the others, as lengths
-  bool circles = false;                       // level curves of c
-  bool direction = false;                     // j: an arrow and an arc
-  bool force = false;                         // j^T lambda: an arrow and an arc
-  bool asked = false;                         // the velocity at the centre, and what is known of the rod
-  bool velocity = false;                      // the velocity at the centre and at the anchor
+  Pose<double> pose = {};          // of the box
+  bool close = false;              // only the box and its surroundings
+  List<Pose<double>> others = {};  // outlines of the box elsewhere
+  bool errors = false;             // c of the box and of the others, as lengths
+  bool circles = false;            // level curves of c
+  bool direction = false;          // j: an arrow and an arc
+  bool force = false;              // j^T lambda: an arrow and an arc
+  bool asked = false;              // the velocity at the centre, and what is known of the rod
+  bool velocity = false;           // the velocity at the centre and at the anchor
 };
 
 /// The pivot, the rod and the box, in a panel.

@@ -14,7 +14,8 @@ List<Motion> allowed_motions(const Vec3<double>& jacobian, const Vec2<double>& a
   const Vec2<double> across = perpendicular(along);
   const Vec3<double> swing(across.x(), across.y(), 0);
   const Vec3<double> turn(arm.y(), -arm.x(), 1);  // v = −ω × r: the anchor stands still
-  return {motion_of(jacobian, "swing, without turning", swing), motion_of(jacobian, "turn about the anchor", turn),
+  return {motion_of(jacobian, "swing, without turning", swing),
+          motion_of(jacobian, "turn about the anchor", turn),
           motion_of(jacobian, "1.25 swing − 0.5 turn", 1.25 * swing - 0.5 * turn)};
 }
 

@@ -187,11 +187,12 @@ List<Shot> peg_shots(const Pushes& all) {
       "this way, the effective mass is {} kg instead of {} kg.",
       significant(all.at[2].impulse), significant(all.at[0].impulse), significant(1 / all.at[2].inverse),
       significant(all.settings.mass));
-  shots.push_back(answer_shot(
-      card(),
-      frame_of(all, "after the lesson", "The pushes below the centre and below the corner, at one scale, and the answer.",
-               {.push = true, .named = true}),
-      answer));
+  shots.push_back(
+      answer_shot(card(),
+                  frame_of(all, "after the lesson",
+                           "The pushes below the centre and below the corner, at one scale, and the answer.",
+                           {.push = true, .named = true}),
+                  answer));
   return shots;
 }
 

@@ -17,22 +17,24 @@ const LessonCard lesson03(
      .needs = {"lesson 02"},
      .reads = {"src/solvers/iterative/sequential_impulse.cpp", "src/constraints/row.hpp"},
      .question =
-         "Three boxes of 1\u00a0kg fall at 0.2\u00a0m/s. From the ground up, each contact in turn pushes just "
+         "Three boxes of 1\u00a0kg fall at 0.2\u00a0m/s. From the ground up, each contact in turn pushes "
+         "just "
          "so hard that its own two boxes stop approaching each other. After one such sweep, how fast does "
          "the uppermost box still fall, in m/s?",
      .spoilers = {"0.15 m/s", "stops box 1"},
      .unasked = {"sweeps", "seed"},
-     .wrong = {{{0},
-                {0.019},
-                "Then one sweep would be enough. But the last push leaves boxes 2 and 3 equally fast, and box 2 "
-                "was falling."},
-               {{0.02},
-                {0.06},
-                "When its contact is visited, box 3 still falls at 0.2 m/s: no push before has reached it."},
-               {{0.09},
-                {0.11},
-                "So fast falls box 2 before the last push. That push makes boxes 2 and 3 equally fast."},
-               {{0.199}, {0.21}, "Box 2 is slower by then, so the last contact has an error, and pushes."}},
+     .wrong =
+         {{{0},
+           {0.019},
+           "Then one sweep would be enough. But the last push leaves boxes 2 and 3 equally fast, and box 2 "
+           "was falling."},
+          {{0.02},
+           {0.06},
+           "When its contact is visited, box 3 still falls at 0.2 m/s: no push before has reached it."},
+          {{0.09},
+           {0.11},
+           "So fast falls box 2 before the last push. That push makes boxes 2 and 3 equally fast."},
+          {{0.199}, {0.21}, "Box 2 is slower by then, so the last contact has an error, and pushes."}},
      .hints = {"A push has two ends: it slows the upper box and speeds up the lower one, as much.",
                "Row 1 stops box 1. Row 2 finds 0.2 m/s between two boxes of 1 kg; both fall at 0.1 m/s then.",
                "Row 3 makes boxes 2 and 3 equally fast: the mean of 0.1 and 0.2 m/s."},

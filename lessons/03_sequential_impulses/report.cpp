@@ -132,10 +132,10 @@ void check_question(Lesson& lesson, const StackRun& run) {
   const StackSettings& settings = run.settings;
   const double fall = settings.gravity * settings.dt;
   // Row 1 stops box 1; each row above makes a box as fast as the mean of its own speed and that below.
-  lesson.check_equal(fmt::format("one sweep leaves the uppermost box 1 − 2^(1 − {}) of its speed (m/s)",
-                                 settings.boxes),
-                     -velocities_after(run, 1).back(), fall * (1 - std::exp2(1 - settings.boxes)),
-                     4 * epsilon * fall * settings.boxes);
+  lesson.check_equal(
+      fmt::format("one sweep leaves the uppermost box 1 − 2^(1 − {}) of its speed (m/s)", settings.boxes),
+      -velocities_after(run, 1).back(), fall * (1 - std::exp2(1 - settings.boxes)),
+      4 * epsilon * fall * settings.boxes);
 }
 
 CsvTable table_of(const StackRun& run) {

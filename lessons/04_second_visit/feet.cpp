@@ -5,15 +5,6 @@ namespace cairn::feet {
 
 namespace {
 
-/// Both feet are stopped, if both have to push for that; else the nearer one alone.
-Pair exact_impulses(const BoxRun& box, double speed) {
-  const double determinant = box.A11 * box.A22 - box.A12 * box.A12;
-  const Pair both = {speed * (box.A22 - box.A12) / determinant, speed * (box.A11 - box.A12) / determinant};
-  if (both[1] < 0) return {speed / box.A11, 0};
-  if (both[0] < 0) return {0, speed / box.A22};
-  return both;
-}
-
 constexpr double foot_radius = 0.054, leg = 0.066;  // [m] the middle of a foot is a leg below the box
 
 /// A box on two round feet: each touches the ground in one point. Two more, above, put the centre of mass
@@ -122,7 +113,7 @@ BoxRun box_at(const Pair& foot, const FeetSettings& settings) {
   run.A11 = system.A(0, 0);
   run.A12 = system.A(0, 1);
   run.A22 = system.A(1, 1);
-  run.exact = exact_impulses(run, settings.speed);
+  run.exact = {settings.speed / (run.A11 + run.A12), settings.speed / (run.A11 + run.A12)};
   VelocityProblem<double> twin = problem;
   ProjectedGaussSeidel<double>({.iterations = settings.sweeps}).solve(twin);
   run.of_matrix = {twin.impulse[0], twin.impulse[1]};

@@ -1,8 +1,8 @@
 // Lesson 04. The second visit: a contact may take back what it gave.
 // A box lands on two feet. Sequential impulses stop the left foot, then the right one, and that makes the
 // left one rise: it has given too much. A contact must not pull, so something has to be clamped at 0; the
-// question is what. We land the box three times: each push clamped, the sum of a foot's pushes clamped
-// (Algorithm 1), and the sums clamped once, when all sweeps are over. Only one of the three lets it stand.
+// question is what. We land the box twice: with each push clamped, and with the sum of a foot's pushes
+// clamped (Algorithm 1). Only one of the two lets it stand.
 #include "lesson.hpp"
 
 #include "lessons/kit/words.hpp"
@@ -23,7 +23,6 @@ Visit visit(int sweep, int foot, Clamped clamped, VelocityProblem<double>& probl
   visit.before = {problem.impulse[0], problem.impulse[1]};
 
   const double before = p;
-  p = before + asked;                                                    // lesson 03: no clamp
   if (clamped == Clamped::increment) p = before + std::max(asked, 0.0);  // wrong: nothing is ever taken back
   if (clamped == Clamped::sum) p = std::max(before + asked, 0.0);        // right
   apply_impulse(problem, row, p - before);
@@ -39,12 +38,6 @@ Landing land(const Pair& feet, const FeetSettings& settings, Clamped clamped) {
   for (int sweep = 1; sweep <= settings.sweeps; ++sweep) {
     for (int foot = 0; foot < 2; ++foot) landing.visits.push_back(visit(sweep, foot, clamped, problem));
   }
-  for (int foot = 0; foot < 2; ++foot) {
-    double& p = problem.impulse[foot];
-    const double kept = std::max(p, 0.0);  // changes something only where nothing was clamped before
-    apply_impulse(problem, problem.rows[foot], kept - p);
-    p = kept;
-  }
   landing.impulse = {problem.impulse[0], problem.impulse[1]};
   landing.velocity = problem.velocity[{1}];
   for (int foot = 0; foot < 2; ++foot)
@@ -52,20 +45,18 @@ Landing land(const Pair& feet, const FeetSettings& settings, Clamped clamped) {
   return landing;
 }
 
-BoxRun land_in_three_ways(const Pair& feet, const FeetSettings& settings) {
+BoxRun land_in_both_ways(const Pair& feet, const FeetSettings& settings) {
   BoxRun box = box_at(feet, settings);
-  for (const Clamped clamped : {Clamped::increment, Clamped::sum, Clamped::afterwards})
+  for (const Clamped clamped : {Clamped::increment, Clamped::sum})
     box.by(clamped) = land(feet, settings, clamped);
   return box;
 }
 
 FeetRun land_everywhere(const FeetSettings& settings) {
-  FeetRun run{.settings = settings,
-              .middle = land_in_three_ways({-settings.foot, settings.foot}, settings),
-              .side = land_in_three_ways(side_feet, settings)};
+  FeetRun run{.settings = settings, .box = land_in_both_ways({-settings.foot, settings.foot}, settings)};
   for (int k = 1; k <= 50; ++k) {
     const double foot = 0.01 * k;
-    run.spreads.push_back(spread_of(land_in_three_ways({-foot, foot}, settings), settings.speed));
+    run.spreads.push_back(spread_of(land_in_both_ways({-foot, foot}, settings), settings.speed));
   }
   follow_in_a_world(run);
   return run;
@@ -84,7 +75,7 @@ void run(Lesson& lesson) {
   tell_visits(lesson, all);
   tell_landings(lesson, all);
   tell_motion(lesson, all);
-  const Visit& second = all.middle.by(Clamped::sum).visits[2];
+  const Visit& second = all.box.by(Clamped::sum).visits[2];
   lesson.answer({second.after[0]}, 0.03 * second.after[0],
                 second.given() < 0
                     ? "It takes back: it gave too much before the other foot had its turn. "
@@ -94,10 +85,8 @@ void run(Lesson& lesson) {
   lesson.film(feet_shots(all));
   lesson.data(table_of(all));
   List<double> numbers;
-  for (const BoxRun* box : {&all.middle, &all.side}) {
-    for (const Landing& landing : box->landings)
-      numbers.insert(numbers.end(), landing.impulse.begin(), landing.impulse.end());
-  }
+  for (const Landing& landing : all.box.landings)
+    numbers.insert(numbers.end(), landing.impulse.begin(), landing.impulse.end());
   lesson.fingerprint(numbers);
 }
 

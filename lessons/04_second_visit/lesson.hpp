@@ -1,4 +1,4 @@
-// Lesson 04. A box that lands on two feet, and three places to put the clamp.
+// Lesson 04. A box that lands on two feet, and two places to put the clamp.
 #pragma once
 
 #include "lessons/kit/kit.hpp"
@@ -16,9 +16,8 @@ using Pair = FixedList<double, 2>;
 
 /// What is cut off below zero.
 enum class Clamped {
-  increment,   // every single push: a mistake
-  sum,         // what a foot has given in total: Algorithm 1
-  afterwards,  // the sums, once, after the last sweep: another mistake
+  increment,  // every single push: a mistake
+  sum,        // what a foot has given in total: Algorithm 1
 };
 
 struct FeetSettings {
@@ -55,7 +54,7 @@ struct BoxRun {
   double A11 = 0, A12 = 0, A22 = 0;     // [1/kg]
   Pair exact = {};                      // [N s] by formula
   Pair of_matrix = {};                  // [N s] of projected Gauss-Seidel on A, after as many sweeps
-  FixedList<Landing, 3> landings = {};  // in the order of Clamped
+  FixedList<Landing, 2> landings = {};  // in the order of Clamped
   Snapshot snapshot = {};               // as it lands
   const Landing& by(Clamped clamped) const { return landings[static_cast<int>(clamped)]; }
   Landing& by(Clamped clamped) { return landings[static_cast<int>(clamped)]; }
@@ -74,8 +73,7 @@ struct Spread {
 
 struct FeetRun {
   FeetSettings settings = {};
-  BoxRun middle = {};  // scene A: feet on both sides of the middle
-  BoxRun side = {};    // scene B: both feet right of it
+  BoxRun box = {};
   List<Spread> spreads = {};
   List<Snapshot> hop = {};    // after 0, 1, ... steps with the clamp on the increment
   List<Snapshot> still = {};  // and with the clamp on the sum
@@ -83,20 +81,18 @@ struct FeetRun {
   double still_height = 0;
 };
 
-inline constexpr Pair side_feet = {0.1, 0.4};  // [m] of scene B
-
 /// The two rows of a landing: gravity apart, a box that comes down with `speed`, and has to be stopped.
 VelocityProblem<double> landing_problem(const Pair& foot, double speed);
 /// A box and its A, with what formulas and PGS say, and not landed yet.
 BoxRun box_at(const Pair& foot, const FeetSettings& settings);
 /// What the clamp on the increment did to a box that has landed.
 Spread spread_of(const BoxRun& box, double speed);
-/// Lets the box of scene A go in a world, with either clamp.
+/// Lets the box go in a world, with either clamp.
 void follow_in_a_world(FeetRun& run);
 
-/// Scene A, clamp on the increment: one visit of each foot, and nothing after if A_12 >= 0 [N s].
+/// Clamp on the increment: one visit of each foot, and nothing after if A_12 >= 0 [N s].
 Pair increments_by_formula(const BoxRun& box, double speed);
-/// Scene A, clamp on the sum, after so many sweeps [N s].
+/// Clamp on the sum, after so many sweeps [N s].
 Pair sums_by_formula(const BoxRun& box, double speed, int sweep);
 /// From this distance on, A_12 <= 0: what one foot gives, the other has to give too [m].
 double harmless_distance();
@@ -119,10 +115,9 @@ CsvTable table_of(const FeetRun& run);
 /// Visit by visit with both clamps side by side, what becomes of the box, and why.
 List<Shot> feet_shots(const FeetRun& run);
 
-/// Their part that comes after the visits of scene A.
+/// Their part that comes after the visits.
 List<Shot> motion_shots(const FeetRun& run);
 Shot spread_shot(const FeetRun& run);
-Shot side_shot(const FeetRun& run);
 
 /// What a box shows: sums and what was given last, and how fast its feet move.
 struct BoxView {
@@ -135,9 +130,8 @@ struct BoxView {
 };
 void draw_box(Page& page, const Rect& rect, const BoxRun& box, double largest, const BoxView& view);
 
-/// A panel with a bar in the colour of what is clamped on top, and its name, or another
-/// one. Returns what is free inside.
-Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped, const std::string& name = "");
+/// A panel with a bar in the colour of what is clamped on top, and its name. Returns what is free inside.
+Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped);
 SeriesStyle style_of(const Theme& theme, Clamped clamped);
 
 }  // namespace cairn::feet

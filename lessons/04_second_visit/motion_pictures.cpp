@@ -1,4 +1,4 @@
-// What becomes of the box, how it depends on its feet, and the third place for the clamp.
+// What becomes of the box, and how it depends on its feet.
 #include "lesson.hpp"
 
 namespace cairn::feet {
@@ -80,42 +80,6 @@ void draw_spread(Page& page, const FeetRun& run) {
                            .result = fmt::format("= {} m", fixed(harmless_distance(), 3))});
 }
 
-void draw_side(Page& page, const FeetRun& run) {
-  const List<Rect> parts = in_rows(page, {0.62, {0.38, {0.55, 0.45}}});
-  const List<Rect> top = in_columns(page, parts[0], {1, 1});
-  double largest = 0;
-  for (const Landing& landing : run.side.landings) largest = std::max(largest, landing.impulse[0]);
-  int at = 0;
-  TableView table;
-  table.header = {"clamped", "p_{1} (N s)", "p_{2} (N s)", "foot 1 (m/s)", "energy (J)"};
-  for (const Landing& landing : run.side.landings) {
-    if (landing.clamped != Clamped::increment) {
-      const std::string title = landing.clamped == Clamped::sum ? "each push is clamped, or the sum" : "";
-      const Rect inside = clamp_panel(page, top[at], landing.clamped, title);
-      if (at == 0)  // the left half of the bar is for the other clamp that does the same
-        page.canvas().rect({top[0].x, top[0].y, top[0].width / 2, 5},
-                           {.fill = style_of(page.theme(), Clamped::increment).color});
-      ++at;
-      draw_box(page, inside, run.side, largest,
-               {.impulse = landing.impulse,
-                .foot = 0,
-                .foot_velocity = landing.foot_velocity,
-                .fastest = run.settings.speed});
-    }
-    const char* name = landing.clamped == Clamped::sum         ? "the sum"
-                       : landing.clamped == Clamped::increment ? "each push"
-                                                               : "at the end";
-    const double rise = std::abs(landing.foot_velocity[0]) < 5e-3 ? 0 : landing.foot_velocity[0];
-    table.rows.push_back({name, fixed(landing.impulse[0], 2), fixed(landing.impulse[1] + 0.0, 2),
-                          fixed(rise, 2, Sign::always), fixed(landing.energy(), 1)});
-  }
-  table.active_row = 2;
-  page.table(parts[1], "", table);
-  page.note(parts[2], "Clamped too late",
-            "Without a clamp, foot 2 pulls, and foot 1 pushes against that. When the pull "
-            "is cut off at the end, foot 1 still pushes: the box is thrown up.");
-}
-
 Shot motion_shot(const FeetRun& run, int step) {
   return {.state = fmt::format("t = {} s · outlines every {} s", fixed(step * time_step, 2),
                                fixed(outline_steps * time_step, 2)),
@@ -126,7 +90,7 @@ Shot motion_shot(const FeetRun& run, int step) {
               height_at(run.hop, step) < 0 ? "lower" : "higher",
               std::abs(run.hop[step].bodies[{1}].pose.angle) * 180 / pi, height_at(run.still, step)),
           .draw = [&run, step](Page& page) { draw_step(page, run, step); },
-          .key = step == 8 || step == motion_steps};
+          .key = step == motion_steps};
 }
 
 }  // namespace
@@ -143,12 +107,6 @@ Shot spread_shot(const FeetRun& run) {
       "How fast the box and its left foot rise after a landing with each push clamped, against the "
       "distance of the feet: nothing from 0.408 m on.",
       draw_spread);
-}
-
-Shot side_shot(const FeetRun& run) {
-  return key_shot(run, "B · both feet at one side",
-                  "A box with both feet right of its middle, twice: clamped once at the end it is thrown up.",
-                  draw_side);
 }
 
 }  // namespace cairn::feet

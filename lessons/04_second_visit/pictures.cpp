@@ -44,25 +44,7 @@ void label_sum(Page& page, const Camera& camera, const Vec2<double>& tip, const 
                   camera.viewport, text, style);
 }
 
-/// The sums as bars, and through both of them a line at what each foot has to give.
-void draw_sums(Page& page, const Rect& rect, const FeetRun& run, const Landing& landing, int k) {
-  const Visit& visit = landing.visits[k];
-  const double exact = run.middle.exact[0];  // the same for both feet
-  BarChart chart{.title = fmt::format("sum of the pushes p (N s); black line: exact, {:.4g}", exact),
-                 .largest = std::max(1.6 * exact, 1.1 * visit.after[0]),
-                 .color = style_of(page.theme(), landing.clamped).color};
-  for (int i = 0; i < 2; ++i) {
-    chart.bars.push_back({.name = fmt::format("foot {} {:>6.2f}", i + 1, cleaned(visit.after[i])),
-                          .before = visit.before[i],
-                          .added = visit.after[i] - visit.before[i]});
-  }
-  const render::BarPlaces at = draw_bars(page, rect, chart);
-  const double x = at.plot.x + at.plot.width * (exact - at.low) / (at.high - at.low);
-  page.canvas().line({x, at.rows.y}, {x, at.rows.y + at.rows.height},
-                     {.width = 3, .color = page.theme().exact.color});
-}
-
-Equation equation_of(const Page& page, const Landing& landing, int k) {
+Equation equation_of(const Page& page, const Landing& landing, double exact, int k) {
   const Visit& visit = landing.visits[k];
   const int foot = visit.foot;
   const std::string before = fixed(visit.before[foot], 2);
@@ -79,12 +61,13 @@ Equation equation_of(const Page& page, const Landing& landing, int k) {
     equation.numbers = fmt::format("= max(0, {} {} {})", before, sign, asked);
   }
   equation.result = fmt::format("= {} N s", fixed(visit.after[foot], 2));
+  equation.algorithm = fmt::format("both feet have to give {:.4g} N s in the end", exact);
   equation.color = style_of(page.theme(), landing.clamped).color;
   return equation;
 }
 
 double largest_of(const FeetRun& run) {
-  return std::max({run.middle.by(Clamped::increment).impulse[0], run.middle.exact[0], run.middle.exact[1]});
+  return std::max({run.box.by(Clamped::increment).impulse[0], run.box.exact[0], run.box.exact[1]});
 }
 
 BoxView view_after(const BoxRun& box, double speed, const Landing& landing, int visit) {
@@ -100,12 +83,11 @@ void draw_visit(Page& page, const FeetRun& run, int k) {
   const List<Rect> halves = in_columns(page, {0.5, 0.5});
   int at = 0;
   for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
-    const Landing& landing = run.middle.by(clamped);
-    const List<Rect> parts = in_rows(page, halves[at++], {0.44, 0.24, 0.32});
-    draw_box(page, clamp_panel(page, parts[0], clamped), run.middle, largest_of(run),
-             view_after(run.middle, run.settings.speed, landing, k));
-    draw_sums(page, parts[1], run, landing, k);
-    page.equation(parts[2], equation_of(page, landing, k));
+    const Landing& landing = run.box.by(clamped);
+    const List<Rect> parts = in_rows(page, halves[at++], {0.62, 0.38});
+    draw_box(page, clamp_panel(page, parts[0], clamped), run.box, largest_of(run),
+             view_after(run.box, run.settings.speed, landing, k));
+    page.equation(parts[1], equation_of(page, landing, run.box.exact[0], k));
   }
 }
 
@@ -115,10 +97,9 @@ QuestionFrame question_frame(const FeetRun& run) {
               "A box on two feet after one sweep, with the impulses of its feet and how fast they move, and "
               "the question.",
           .scene = [&run](Page& page, const Rect& rect) {
-            BoxView view = view_after(run.middle, run.settings.speed, run.middle.by(Clamped::sum), 1);
+            BoxView view = view_after(run.box, run.settings.speed, run.box.by(Clamped::sum), 1);
             view.asks = true;
-            draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run.middle, largest_of(run),
-                     view);
+            draw_box(page, page.panel(rect, "after one sweep: pushes (N s)"), run.box, largest_of(run), view);
           }};
 }
 
@@ -127,18 +108,20 @@ QuestionFrame answer_frame(const FeetRun& run) {
           .alt =
               "The second visit of the left foot: with each push clamped nothing is taken back, with the "
               "sum clamped a part of the first push; and the answer.",
-          .scene = [&run](Page& page, const Rect& rect) {
-            const List<Rect> parts = in_rows(page, rect, {0.5, 0.5});
-            int at = 0;
-            for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
-              draw_box(page, clamp_panel(page, parts[at++], clamped), run.middle, largest_of(run),
-                       view_after(run.middle, run.settings.speed, run.middle.by(clamped), 2));
-            }
-          }};
+          .scene =
+              [&run](Page& page, const Rect& rect) {
+                const List<Rect> parts = in_columns(page, rect, {0.5, 0.5});
+                int at = 0;
+                for (const Clamped clamped : {Clamped::increment, Clamped::sum}) {
+                  draw_box(page, clamp_panel(page, parts[at++], clamped), run.box, largest_of(run),
+                           view_after(run.box, run.settings.speed, run.box.by(clamped), 2));
+                }
+              },
+          .place = ScenePlace::above};
 }
 
 std::string answer_text(const FeetRun& run) {
-  const Visit& second = run.middle.by(Clamped::sum).visits[2];
+  const Visit& second = run.box.by(Clamped::sum).visits[2];
   const std::string sum = fixed(second.after[0], 2) + " N s: ";
   if (second.given() >= 0) return sum + "it gives more. For feet this far out, both clamps do the same.";
   return sum + "it takes back " + fixed(-second.given(), 2) +
@@ -146,19 +129,19 @@ std::string answer_text(const FeetRun& run) {
 }
 
 Shot visit_shot(const FeetRun& run, int k) {
-  const Visit& naive = run.middle.by(Clamped::increment).visits[k];
-  const Visit& sum = run.middle.by(Clamped::sum).visits[k];
+  const Visit& naive = run.box.by(Clamped::increment).visits[k];
+  const Visit& sum = run.box.by(Clamped::sum).visits[k];
   return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run.settings.sweeps, sum.foot + 1),
           .alt = fmt::format("Sweep {}, foot {}: with each push clamped it gives {:.2f} N s, with the sum "
-                             "clamped {:.2f} N s; boxes, sums and both formulas side by side.",
+                             "clamped {:.2f} N s; boxes and both formulas side by side.",
                              sum.sweep, sum.foot + 1, naive.given(), sum.given()),
           .draw = [&run, k](Page& page) { draw_visit(page, run, k); },
-          .key = k < 4 || k + 1 == run.middle.by(Clamped::sum).visits.size()};
+          .key = k == 2};
 }
 
 List<Shot> visit_shots(const FeetRun& run) {
   List<Shot> shots;
-  for (int k = 0; k < run.middle.by(Clamped::sum).visits.size(); ++k) shots.push_back(visit_shot(run, k));
+  for (int k = 0; k < run.box.by(Clamped::sum).visits.size(); ++k) shots.push_back(visit_shot(run, k));
   return shots;
 }
 
@@ -166,14 +149,12 @@ List<Shot> visit_shots(const FeetRun& run) {
 
 SeriesStyle style_of(const Theme& theme, Clamped clamped) {
   if (clamped == Clamped::sum) return theme.si;
-  return render::neutral_styles(theme)[clamped == Clamped::increment ? 0 : 1];
+  return render::neutral_styles(theme)[0];
 }
 
-Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped, const std::string& name) {
-  const char* usual = clamped == Clamped::sum         ? "the sum is clamped"
-                      : clamped == Clamped::increment ? "each push is clamped"
-                                                      : "clamped once, at the end";
-  const Rect inside = page.panel(rect, name.empty() ? usual : name);
+Rect clamp_panel(Page& page, const Rect& rect, Clamped clamped) {
+  const Rect inside =
+      page.panel(rect, clamped == Clamped::sum ? "the sum is clamped" : "each push is clamped");
   page.canvas().rect({rect.x, rect.y, rect.width, 5}, {.fill = style_of(page.theme(), clamped).color});
   return inside;
 }
@@ -218,7 +199,6 @@ List<Shot> feet_shots(const FeetRun& run) {
   for (const List<Shot>& part : {visit_shots(run), motion_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(spread_shot(run));
-  shots.push_back(side_shot(run));
   shots.push_back(answer_shot(card_for(run), answer_frame(run), answer_text(run)));
   return shots;
 }

@@ -23,7 +23,7 @@ using render::TextStyle;
 constexpr double near_place = -0.7, far_place = -1.0;  // [m] of the arrows, from the middle of the stack
 constexpr double velocity_place = 0.75;
 constexpr double longest_push = 0.65, ground_depth = 0.7;  // [m]
-constexpr double text_gap = 14;  // [px] from an arrow
+constexpr double text_gap = 14;                            // [px] from an arrow
 
 TextStyle style_of(const Page& page, bool active) {
   TextStyle style = page.value();
@@ -35,10 +35,9 @@ TextStyle style_of(const Page& page, bool active) {
 /// Both ends of a push meet at its contact. Neighbours take turns with two columns, so that arrows never
 /// meet.
 void draw_pushes(Page& page, const Camera& camera, const StackMoment& moment) {
-  const ArrowScale scale{
-      .pixels_per_unit = longest_push * camera.scale / moment.largest_lambda,
-      .longest = camera.scale,
-      .unit = "N"};
+  const ArrowScale scale{.pixels_per_unit = longest_push * camera.scale / moment.largest_lambda,
+                         .longest = camera.scale,
+                         .unit = "N"};
   for (int i = 0; i < moment.lambda.size(); ++i) {
     const double lambda = moment.lambda[i], y = i;
     const double place = i % 2 == 0 ? near_place : far_place;
