@@ -21,24 +21,6 @@ MatrixView view_of_J(const StackRun& run, int rows_known, int active) {
   return view;
 }
 
-void draw_masses(Page& page, const StackRun& run) {
-  const int n = run.boxes();
-  const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.78, 0.22}}});
-  draw_stack(page, parts[0], run, {.velocity = run.system.velocity});
-  draw_product(page, parts[1],
-               {{.title = "v_{1}", .values = run.system.velocity, .row_names = column_names(n)},
-                {.title = "M^{−1}: 1/m, 1/m, 1/I of each box",
-                 .values = run.system.inverse_mass.asDiagonal(),
-                 .column_names = column_names(n),
-                 .column_group = 3,
-                 .colors = MatrixColors::magnitude}},
-               {""});
-  page.note(parts[2], "(1) and (2)",
-            "Three numbers for each box: how fast it moves to the right, how fast it moves up, and how fast "
-            "it turns. "
-            "The ground is left out.");
-}
-
 void draw_row(Page& page, const StackRun& run, int row) {
   const List<Rect> parts = in_columns(page, {0.4, {0.6, {0.46, 0.54}}});
   draw_stack(page, parts[0], run, {.contact = row, .velocity = run.system.velocity});
@@ -122,9 +104,7 @@ void draw_right_side(Page& page, const StackRun& run, int row) {
   const List<Rect> parts =
       lay_out_building(page, run, {.contact = row, .velocity = run.system.velocity}, 0.48);
   draw_product(page, parts[0], {view_of_J(run, n, row)}, {});
-  Eigen::MatrixXd stage(n, n + 1);
-  stage << run.system.A, run.system.b;
-  List<MatrixView> system = system_views(run, stage, row);
+  List<MatrixView> system = system_views(run, row);
   for (int later = row + 1; later < n; ++later) system[1].unknown.push_back({later, 0});
   draw_product(page, parts[1], system, {"λ ="});
   const std::string dt = brief(run.settings.dt);
@@ -146,7 +126,7 @@ Shot entry_shot(const StackRun& run, int i, int j) {
               "{:.4g} per kg.",
               i + 1, j + 1, run.system.A(i, j)),
           .draw = [&run, i, j](Page& page) { draw_entry(page, run, i, j); },
-          .key = i == 0 && (j == 1 || j == 2)};
+          .key = i == 0 && j == 1};
 }
 
 }  // namespace
@@ -154,9 +134,6 @@ Shot entry_shot(const StackRun& run, int i, int j) {
 List<Shot> building_shots(const StackRun& run) {
   const int n = run.boxes();
   List<Shot> shots;
-  shots.push_back(key_shot(run, "v and M⁻¹",
-                           "The velocities of all boxes in one column, and the inverse masses on a diagonal.",
-                           draw_masses));
   for (int row = 0; row < n; ++row) {
     shots.push_back({.state = fmt::format("J · row {} of {}", row + 1, n),
                      .alt = fmt::format("Row {} of J; its boxes part at {:.3f} m/s.", row + 1,

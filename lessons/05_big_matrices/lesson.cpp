@@ -1,7 +1,7 @@
 // Lesson 05. All bodies and all rows together. The rows are written below each other, which makes J (6); the
 // velocities likewise make v. The forces that make J v = ζ true (11) solve A λ = b, (14) and (15): one
-// equation for each contact. We build A and b for a stack of boxes, solve them by elimination, and put λ into
-// (12) to see that the stack stands still.
+// equation for each contact. We build A and b for a stack of boxes, solve them, and put λ into (12) to see
+// that the stack stands still.
 #include "lesson.hpp"
 
 namespace cairn::big {
@@ -32,35 +32,6 @@ StackSystem assemble(const VelocityProblem<double>& problem) {
   return system;
 }
 
-List<Eigen::MatrixXd> eliminate(const StackSystem& system) {
-  const Eigen::Index m = system.b.size();
-  Eigen::MatrixXd stage(m, m + 1);
-  stage << system.A, system.b;
-  List<Eigen::MatrixXd> stages = {stage};
-  // [eliminate]
-  for (Eigen::Index pivot = 0; pivot + 1 < m; ++pivot) {
-    for (Eigen::Index row = pivot + 1; row < m; ++row) {
-      const double factor = stage(row, pivot) / stage(pivot, pivot);
-      stage.row(row) -= factor * stage.row(pivot);
-      stage(row, pivot) = 0;
-    }
-    stages.push_back(stage);  // for the pictures
-  }
-  // [/eliminate]
-  return stages;
-}
-
-Eigen::VectorXd substitute_back(const Eigen::MatrixXd& stage) {
-  const Eigen::Index m = stage.rows();
-  Eigen::VectorXd lambda(m);
-  for (Eigen::Index i = m - 1; i >= 0; --i) {
-    double rest = stage(i, m);
-    for (Eigen::Index j = i + 1; j < m; ++j) rest -= stage(i, j) * lambda(j);
-    lambda(i) = rest / stage(i, i);
-  }
-  return lambda;
-}
-
 Eigen::VectorXd velocity_after(const StackSystem& system, const Eigen::VectorXd& lambda) {
   const Eigen::VectorXd impulse = system.J.transpose() * lambda * system.dt;
   return system.velocity + system.inverse_mass.cwiseProduct(impulse);  // (12)
@@ -77,8 +48,7 @@ StackRun solve_stack(const StackSettings& settings) {
   StackRun run{.settings = settings};
   const VelocityProblem<double> problem = stack_rows(settings, gravity);
   run.system = assemble(problem);
-  run.stages = eliminate(run.system);
-  run.lambda = substitute_back(run.stages.back());
+  run.lambda = solution_of(run.system);
   run.velocity = velocity_after(run.system, run.lambda);
   solve_otherwise(problem, run);
   return run;

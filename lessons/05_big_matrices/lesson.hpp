@@ -34,7 +34,6 @@ struct StackRun {
   StackSettings settings = {};
   List<double> mass = {};  // [kg] of each box, from the ground up
   StackSystem system = {};
-  List<Eigen::MatrixXd> stages = {};      // [A | b] before and after each row was used for elimination
   Eigen::VectorXd lambda = {};            // [N]
   Eigen::VectorXd velocity = {};          // v_2 (12)
   Eigen::MatrixXd inverse = {};           // of A [kg]
@@ -53,10 +52,8 @@ struct StackRun {
 VelocityProblem<double> stack_rows(const StackSettings& settings, double pull);
 /// All rows in one system.
 StackSystem assemble(const VelocityProblem<double>& problem);
-/// Gauss's elimination of [A | b], from the first row down. A is positive definite, so no rows are swapped.
-List<Eigen::MatrixXd> eliminate(const StackSystem& system);
-/// Lambda [N] of the last stage, from the last row up: each has one unknown left.
-Eigen::VectorXd substitute_back(const Eigen::MatrixXd& stage);
+/// Lambda [N] of A lambda = b.
+Eigen::VectorXd solution_of(const StackSystem& system);
 /// v_2 (12).
 Eigen::VectorXd velocity_after(const StackSystem& system, const Eigen::VectorXd& lambda);
 /// Everything else in `run`, for comparison.
@@ -83,19 +80,19 @@ void check_solution(Lesson& lesson, const StackRun& run);
 void check_question(Lesson& lesson, const StackRun& run, const StackRun& heavy);
 CsvTable entries_table(const StackRun& run);
 
-/// The matrices entry by entry, the elimination, and what comes of lambda.
+/// The matrices entry by entry, and what comes of lambda.
 List<Shot> stack_shots(const StackRun& run, const StackRun& heavy);
 
-/// Their parts: how A and b are built, and how they are solved.
+/// Their part: how A and b are built.
 List<Shot> building_shots(const StackRun& run);
-List<Shot> solving_shots(const StackRun& run);
 
 /// What of the stack is shown beside the matrices.
 struct StackView {
   int contact = -1;               // whose two bodies are lit; from 0
   int row = -1, other_row = -1;   // whose boxes have a bracket left and right; from 0
-  int known = 0;                  // so many pushes are shown, from the uppermost contact down
-  bool masses = false;            // of each box, and what its contact carries in the end
+  bool pushes = false;            // as arrows
+  bool asked = false;             // a question mark for b of each contact
+  bool masses = false;            // of each box
   Eigen::VectorXd velocity = {};  // three numbers a box; nothing: no velocities
 };
 void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackView& view);
@@ -103,8 +100,8 @@ void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackVi
 /// Matrices side by side, between them the signs that make an equation of them; all cells of one size.
 void draw_product(Page& page, const Rect& rect, const List<MatrixView>& factors,
                   const List<std::string>& signs);
-/// A λ = b at a stage of the elimination, with the row that is at work.
-List<MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd& stage, int active);
+/// A λ = b, with the row that is at work.
+List<MatrixView> system_views(const StackRun& run, int active);
 
 /// "1_{x}", "1_{y}", ... for the columns of J.
 List<std::string> column_names(int boxes);

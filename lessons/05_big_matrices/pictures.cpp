@@ -15,12 +15,12 @@ void write_beside(Page& page, const Camera& camera, const Point& at, const std::
   page.canvas().text({at.x(), at.y() + style.size / 3}, fits ? text : shorter, style);
 }
 
-/// Left of the stack what each contact pushes upwards, as far as it is known.
-void draw_pushes(Page& page, const Camera& camera, const StackRun& run, int known) {
+/// Left of the stack what each contact pushes upwards.
+void draw_pushes(Page& page, const Camera& camera, const StackRun& run) {
   const ArrowScale scale{.pixels_per_unit = 0.9 * camera.scale / lambda_by_formula(run, 0),
                          .longest = camera.scale,
                          .unit = "N"};
-  for (int i = run.boxes() - known; i < run.boxes(); ++i) {
+  for (int i = 0; i < run.boxes(); ++i) {
     draw_arrow(page, camera, scale,
                {.kind = ArrowKind::normal, .tail = {-0.7, i}, .value = {0, run.lambda(i)}});
     const std::string value = brief(run.lambda(i)) + " N";
@@ -76,37 +76,38 @@ void draw_masses(Page& page, const Camera& camera, const StackRun& run) {
   }
 }
 
-/// The stack of the question with either box on top, what its contacts carry in the end, and b, not known
-/// yet.
-void draw_question(Page& page, const Rect& rect, const StackRun& run, const StackRun& heavy) {
-  const List<Rect> columns = in_columns(page, rect, {0.5, 0.5});
-  const auto draw = [&page](const Rect& column, const StackRun& stack) {
-    const List<Rect> parts = in_rows(page, column, {0.28, 0.72});
-    MatrixView b{.title = "b (m/s²)", .values = stack.system.b.transpose()};
-    b.column_names = row_names(stack.boxes());
-    for (int i = 0; i < stack.boxes(); ++i) b.unknown.push_back({0, i});
-    draw_matrix(page, page.panel(parts[0], ""), b);
-    draw_stack(page, parts[1], stack, {.masses = true, .velocity = stack.system.velocity});
-  };
-  draw(columns[0], run);
-  draw(columns[1], heavy);
+/// What each contact carries in the end, and that its number of b is asked.
+void draw_asked(Page& page, const Camera& camera, const StackRun& run) {
+  TextStyle style{.size = render::large_text, .color = page.theme().velocity, .bold = true};
+  for (int i = 0; i < run.boxes(); ++i) {
+    const Point off(0, i == 0 ? 14 : 0);  // the line of the ground
+    const std::string force = brief(run.lambda(i)) + " N";
+    write_beside(page, camera, camera.project({-0.6, i}) - off, fmt::format("λ_{{{}}} = {}", i + 1, force),
+                 force, true);
+    page.canvas().text(camera.project({0.7, i}) + Point(16, 5) - off, fmt::format("b_{{{}}} = ?", i + 1),
+                       style);
+  }
 }
 
-/// The stack that stands, and below it λ as the first column of the inverse, times the one number of b.
-void draw_answer(Page& page, const Rect& rect, const StackRun& run) {
-  const double upper = run.boxes() > 3 ? 0.44 : 0.55;  // the numbers need room
-  const List<Rect> parts = in_rows(page, rect, {upper, 1 - upper});
-  draw_stack(page, parts[0], run, {.known = run.boxes(), .masses = true, .velocity = run.velocity});
+/// The stack of the question with either box on top.
+void draw_question(Page& page, const Rect& rect, const StackRun& run, const StackRun& heavy) {
+  const List<Rect> columns = in_columns(page, rect, {0.5, 0.5});
+  draw_stack(page, columns[0], run, {.asked = true, .masses = true, .velocity = run.system.velocity});
+  draw_stack(page, columns[1], heavy, {.asked = true, .masses = true, .velocity = heavy.system.velocity});
+}
+
+/// The stack that stands, and λ as the first column of the inverse, times the one number of b.
+void draw_solution(Page& page, const Rect& rect, const StackRun& run) {
+  const List<Rect> parts = in_columns(page, rect, {0.42, 0.58});
+  draw_stack(page, parts[0], run, {.pushes = true, .masses = true, .velocity = run.velocity});
   const List<std::string> names = row_names(run.boxes());
-  draw_product(page, parts[1],
-               {{.title = "A^{−1} (kg)",
-                 .values = run.inverse,
-                 .row_names = names,
-                 .column_names = names,
-                 .active_column = 0},
-                {.title = "b (m/s²)", .values = run.system.b, .active_row = 0},
-                {.title = "λ (N)", .values = run.lambda}},
-               {"×", "="});
+  MatrixView inverse{
+      .title = "A^{−1} (kg)", .values = run.inverse, .row_names = names, .column_names = names};
+  inverse.active_column = 0;
+  MatrixView b{.title = "b (m/s²)", .values = run.system.b, .active_row = 0};
+  MatrixView lambda{.title = "λ (N)", .values = run.lambda};
+  for (MatrixView* view : {&inverse, &b, &lambda}) view->colors = MatrixColors::magnitude;
+  draw_product(page, parts[1], {inverse, b, lambda}, {"×", "="});
 }
 
 std::string answer_text(const StackRun& run) {
@@ -134,15 +135,11 @@ void draw_stack(Page& page, const Rect& rect, const StackRun& run, const StackVi
   }
   draw_world(page, camera, run.snapshot, look);
   if (view.masses) draw_masses(page, camera, run);
-  draw_pushes(page, camera, run, view.known);
+  if (view.pushes) draw_pushes(page, camera, run);
   if (view.velocity.size() > 0) draw_speeds(page, camera, run, view.velocity);
   if (view.row >= 0) draw_bracket(page, camera, view.row, true);
   if (view.other_row >= 0) draw_bracket(page, camera, view.other_row, false);
-  for (int i = 0; view.masses && i < run.boxes() - view.known; ++i) {
-    const std::string force = brief(run.lambda(i)) + " N";
-    write_beside(page, camera, camera.project({-0.6, i}) - Point(0, i == 0 ? 14 : 0),
-                 fmt::format("λ_{{{}}} = {}", i + 1, force), force, true);
-  }
+  if (view.asked) draw_asked(page, camera, run);
 }
 
 void draw_product(Page& page, const Rect& rect, const List<MatrixView>& factors,
@@ -172,15 +169,14 @@ void draw_product(Page& page, const Rect& rect, const List<MatrixView>& factors,
   }
 }
 
-List<MatrixView> system_views(const StackRun& run, const Eigen::MatrixXd& stage, int active) {
+List<MatrixView> system_views(const StackRun& run, int active) {
   const int n = run.boxes();
   return {{.title = "A (kg^{−1})",
-           .values = stage.leftCols(n),
+           .values = run.system.A,
            .row_names = row_names(n),
            .column_names = row_names(n),
-           .active_row = active,
-           .strongest = run.system.A.cwiseAbs().maxCoeff()},
-          {.title = "b (m/s²)", .values = stage.col(n), .active_row = active}};
+           .active_row = active},
+          {.title = "b (m/s²)", .values = run.system.b, .active_row = active}};
 }
 
 List<std::string> column_names(int boxes) {
@@ -203,17 +199,23 @@ List<Shot> stack_shots(const StackRun& run, const StackRun& heavy) {
       {.state = "before the first row",
        .alt =
            "Three stacked boxes of 1 kg, and the same with 100 kg on top: all fall at the same speed, "
-           "their contacts carry 30, 20, 10 and 1020, 1010, 1000 N; above each stack its three numbers of b, "
-           "not known yet; and the question how many of them change",
-       .scene = [&run, &heavy](Page& page, const Rect& rect) { draw_question(page, rect, run, heavy); }})};
-  for (const List<Shot>& part : {building_shots(run), solving_shots(run)})
-    shots.insert(shots.end(), part.begin(), part.end());
+           "their contacts carry 30, 20, 10 and 1020, 1010, 1000 N; beside each contact its number of b, not "
+           "known yet; and the question how many of them change",
+       .scene = [&run, &heavy](Page& page, const Rect& rect) { draw_question(page, rect, run, heavy); },
+       .place = ScenePlace::above})};
+  for (const Shot& shot : building_shots(run)) shots.push_back(shot);
+  shots.push_back(
+      key_shot(run, "λ = A⁻¹ b",
+               "The stack of 1 kg boxes, held by its contacts; beside it the inverse of A times b "
+               "is λ.",
+               [](Page& page, const StackRun& all) { draw_solution(page, page.area(), all); }));
   shots.push_back(answer_shot(
       card(),
       {.state = "answer",
-       .alt = "The stack with 100 kg on top, held by its contacts; below it the inverse of A times b is λ; "
+       .alt = "The stack with 100 kg on top, held by its contacts; beside it the inverse of A times b is λ; "
               "and the answer.",
-       .scene = [&heavy](Page& page, const Rect& rect) { draw_answer(page, rect, heavy); }},
+       .scene = [&heavy](Page& page, const Rect& rect) { draw_solution(page, rect, heavy); },
+       .place = ScenePlace::above},
       answer_text(run)));
   return shots;
 }

@@ -13,7 +13,7 @@ namespace {
 /// Gravity is left out of v_1, and added when all is solved.
 void solve_without_gravity(StackRun& run) {
   const StackSystem still = assemble(stack_rows(run.settings, 0));
-  run.lambda_without = substitute_back(eliminate(still).back());
+  run.lambda_without = solution_of(still);
   run.velocity_without = velocity_after(still, run.lambda_without);
   for (Eigen::Index i = 1; i < run.velocity_without.size(); i += 3) {
     run.velocity_without(i) -= gravity * run.settings.dt;
@@ -21,6 +21,8 @@ void solve_without_gravity(StackRun& run) {
 }
 
 }  // namespace
+
+Eigen::VectorXd solution_of(const StackSystem& system) { return system.A.ldlt().solve(system.b); }
 
 VelocityProblem<double> stack_rows(const StackSettings& settings, double pull) {
   List<double> masses(settings.boxes, 1.0);
