@@ -41,8 +41,7 @@ const LessonCard lesson05(
           "other?"},
      .parameters = {{"boxes", 3, 2, 5, "", "boxes in the stack", Parameter::Kind::whole},
                     {"dt", 0.02, 0.005, 0.1, "s", "time step"},
-                    {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"},
-                    {"sunk", 0, 0, 0.02, "m", "how deep the lowest box is inside the ground, β = 0.2"}},
+                    {"top", 1, 0.01, 100, "kg", "mass of the uppermost box; the others have 1 kg"}},
      .cover = 1,
      .next = "bash lessons/run 6   (guess, fix one row, repeat; and rows that must not pull)"});
 

@@ -55,10 +55,7 @@ StackRun solve_stack(const StackSettings& settings) {
 }
 
 void run(Lesson& lesson) {
-  StackSettings settings{.boxes = lesson.whole("boxes"),
-                         .dt = lesson.real("dt"),
-                         .top = lesson.real("top"),
-                         .sunk = lesson.real("sunk")};
+  StackSettings settings{.boxes = lesson.whole("boxes"), .dt = lesson.real("dt"), .top = lesson.real("top")};
   const StackRun stack = solve_stack(settings);
   settings.top = heavy_mass;
   const StackRun heavy = solve_stack(settings);

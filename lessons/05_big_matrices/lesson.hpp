@@ -9,14 +9,12 @@
 namespace cairn::big {
 
 inline constexpr double gravity = 10;      // [m/s^2]
-inline constexpr double baumgarte = 0.2;   // beta
 inline constexpr double heavy_mass = 100;  // [kg] of the uppermost box in the question
 
 struct StackSettings {
   int boxes = 3;
   double dt = 0.02;  // [s]
   double top = 1;    // [kg] mass of the uppermost box; all others have 1 kg
-  double sunk = 0;   // [m] by which the lowest box is inside the ground
 };
 
 /// Everything without the ground, which has zeros in M^-1. Three columns a box.
@@ -61,7 +59,7 @@ void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run);
 
 /// [kg] that contact i (from 0) carries: box i + 1 and all above.
 double mass_above(const StackRun& run, int contact);
-/// lambda_i = (g + zeta_1 / dt) times that [N].
+/// lambda_i = g times that [N].
 double lambda_by_formula(const StackRun& run, int contact);
 /// A_ij from the masses alone [1/kg].
 double entry_by_formula(const StackRun& run, int i, int j);

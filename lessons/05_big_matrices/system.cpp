@@ -27,9 +27,7 @@ Eigen::VectorXd solution_of(const StackSystem& system) { return system.A.ldlt().
 VelocityProblem<double> stack_rows(const StackSettings& settings, double pull) {
   List<double> masses(settings.boxes, 1.0);
   masses.back() = settings.top;
-  VelocityProblem<double> problem = cases::column<double>(masses, pull, settings.dt);
-  problem.rows[0].bias = baumgarte * settings.sunk / settings.dt;  // ζ (7)
-  return problem;
+  return cases::column<double>(masses, pull, settings.dt);
 }
 
 void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run) {
@@ -51,7 +49,7 @@ void solve_otherwise(const VelocityProblem<double>& problem, StackRun& run) {
   run.inverse = run.system.A.ldlt().solve(Eigen::MatrixXd::Identity(m, m));
   run.eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(run.system.A).eigenvalues();
   solve_without_gravity(run);
-  run.snapshot = stack_at_rest(run.boxes(), run.settings.sunk);
+  run.snapshot = stack_at_rest(run.boxes());
 }
 
 double mass_above(const StackRun& run, int contact) {
@@ -60,10 +58,7 @@ double mass_above(const StackRun& run, int contact) {
   return sum;
 }
 
-double lambda_by_formula(const StackRun& run, int contact) {
-  const double zeta = baumgarte * run.settings.sunk / run.settings.dt;
-  return mass_above(run, contact) * (gravity + zeta / run.settings.dt);
-}
+double lambda_by_formula(const StackRun& run, int contact) { return mass_above(run, contact) * gravity; }
 
 double entry_by_formula(const StackRun& run, int i, int j) {
   const auto above = [&run](int contact) { return 1 / run.mass[contact]; };

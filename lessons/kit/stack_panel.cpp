@@ -78,14 +78,13 @@ void draw_box_velocity(Page& page, const Camera& camera, const StackMoment& mome
 
 }  // namespace
 
-Snapshot stack_at_rest(int boxes, double sunk) {
+Snapshot stack_at_rest(int boxes) {
   Scene scene;
   scene.add_ground();
-  for (int i = 0; i < boxes; ++i)
-    scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i - sunk}, .mass = 1});
+  for (int i = 0; i < boxes; ++i) scene.add({.shapes = {box(1, 1)}, .position = {0, 0.5 + i}, .mass = 1});
   Snapshot stack = snapshot(scene);
   for (int i = 0; i < boxes; ++i)
-    stack.contacts.push_back({.a = {i}, .b = {i + 1}, .position = {0, i - sunk}, .normal = {0, 1}});
+    stack.contacts.push_back({.a = {i}, .b = {i + 1}, .position = {0, i}, .normal = {0, 1}});
   return stack;
 }
 

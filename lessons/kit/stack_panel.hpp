@@ -20,9 +20,8 @@ struct StackMoment {
   double largest_velocity = 1;  // [m/s] that is half as long
 };
 
-/// So many unit boxes of 1 kg on each other and the ground, the lowest `sunk` [m] into it, and a contact
-/// below each.
-Snapshot stack_at_rest(int boxes, double sunk = 0);
+/// So many unit boxes of 1 kg on each other and the ground, and a contact below each.
+Snapshot stack_at_rest(int boxes);
 
 /// Each push is an arrow up, for the body above its contact, and an arrow down for the body below it.
 /// @returns how metres of the stack become pixels.

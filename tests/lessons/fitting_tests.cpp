@@ -167,11 +167,11 @@ TEST_CASE("a lesson waits for a guess on a terminal alone") {
   if (std::system("command -v script >/dev/null 2>&1") != 0) return;
   const ScratchFolder folder;
   const std::string file = folder.path() + "/typed";
-  const std::string command = "printf '0.19\\n' | script -qec '" + program + "' /dev/null >" + file;
+  const std::string command = "printf '0.15\\n' | script -qec '" + program + "' /dev/null >" + file;
   REQUIRE(std::system(command.c_str()) == 0);
   const std::string typed = folder.text("typed");
   CHECK(typed.find("Your guess") != std::string::npos);
-  CHECK(typed.find("RIGHT    0.1900") != std::string::npos);
+  CHECK(typed.find("RIGHT    0.1500") != std::string::npos);
 }
 
 TEST_CASE("a run ends with a page that shows each of its frames with its words") {
