@@ -177,6 +177,7 @@ List<Shot> peg_shots(const Pushes& all) {
   shots.push_back(key_shot(
       all, "here", "Bars along the underside of the box: the effective mass is largest below the centre.",
       draw_here));
+  shots.back().key = false;
   shots.push_back(
       key_shot(all, "this way",
                "Below the centre and off-centre a closed curve: its distance from the contact is "
