@@ -14,28 +14,28 @@ const LessonCard lesson00(
      .reads = {"src/dynamics/body.hpp", "src/dynamics/integrate.cpp", "src/geometry/mass.cpp"},
      .question =
          "A box swings on a spring, twice a second and 1\u00a0m to each side; nothing brakes it. Each step "
-         "of "
-         "0.02\u00a0s first moves it with its velocity, and then changes the velocity by what the spring "
-         "pulls. How many metres to each side does it swing after two seconds?",
+         "of 0.02\u00a0s first moves it with its velocity, and then changes the velocity by what the spring "
+         "pulls. How large has its swing become after two seconds, in metres to each side?",
      .spoilers = {"21", "1.031"},
      .unasked = {"gravity", "spin", "steps"},
-     .wrong = {{{0},
-                {0.89},
-                "A step that moves first goes on with the velocity from before the pull. On the way out that "
-                "is too fast."},
-               {{0.9},
-                {1.1},
-                "So it would with the two lines in the other order. Here each move takes a velocity that is "
-                "out of "
-                "date."},
-               {{1.101},
-                {8},
-                "A step changes the swing only a little, but there are 100, and each multiplies."}},
+     .wrong =
+         {{{18.6},
+           {18.8},
+           "There the box is after two seconds, and it is still on its way out. The swing is how far out "
+           "it gets."},
+          {{0},
+           {0.89},
+           "A step that moves first goes on with the velocity from before the pull. On the way out that "
+           "is too fast."},
+          {{0.9},
+           {1.1},
+           "So it would with the two lines in the other order. Here each move takes a velocity that is "
+           "out of date."},
+          {{1.101}, {8}, "A step changes the swing only a little, but there are 100, and each multiplies."}},
      .hints = {"Pulled 1 m aside and at rest: which way does the first step move the box, and which way "
                "should it?",
                "Draw v/4π against x. The exact motion runs round a circle. Where does a step that goes "
-               "straight on "
-               "end, inside or outside?",
+               "straight on end, inside or outside?",
                "Each step multiplies the swing by √(1 + (4π Δt)²), here 1.031."},
      .parameters =
          {{.flag = "dt", .standard = 0.02, .min = 1e-4, .max = 0.2, .unit = "s", .what = "time step"},

@@ -22,7 +22,7 @@ Equation step_equation(const Story& story, int step) {
                                 after < 0 ? "−" : "+", fixed(std::abs(after), 2), dt,
                                 fixed(height(flight.semi_implicit, step), 3)),
           .algorithm =
-              fmt::format("explicit Euler {} m, exact {} m", fixed(height(flight.explicit_euler, step), 3),
+              fmt::format("position first: {} m, exact: {} m", fixed(height(flight.explicit_euler, step), 3),
                           fixed(height(flight.exact, step), 3))};
 }
 
@@ -66,20 +66,21 @@ Shot step_shot(const Story& story, int step) {
     draw_errors(page, parts[1], story, step);
     page.equation(parts[2], step_equation(story, step));
   };
-  return {.state = fmt::format("step {}/{} · t = {} s", step, steps, fixed(flight.time[step], 2)),
-          .alt = fmt::format(
-              "Step {}: the box at a height of {} m, the exact parabola at {} m, explicit Euler at {} m.",
-              step, fixed(height(flight.semi_implicit, step), 3), fixed(height(flight.exact, step), 3),
-              fixed(height(flight.explicit_euler, step), 3)),
-          .draw = draw,
-          .key = step == steps};
+  return {
+      .state = fmt::format("step {}/{} · t = {} s", step, steps, fixed(flight.time[step], 2)),
+      .alt = fmt::format(
+          "Step {}: the box at a height of {} m, the exact parabola at {} m, with the position first {} m.",
+          step, fixed(height(flight.semi_implicit, step), 3), fixed(height(flight.exact, step), 3),
+          fixed(height(flight.explicit_euler, step), 3)),
+      .draw = draw,
+      .key = step == steps};
 }
 
 Shot shot_of_answer(const Story& story) {
   const double end = swing_at_end(story.springs.explicit_euler);
   const std::string text = fmt::format(
       "{} m. Each step that moves first takes a velocity that is out of date, and multiplies the swing. With "
-      "the velocity first the box goes on swinging by 1 m.",
+      "the velocity first the swing does not grow.",
       significant(end, 2));
   return answer_shot(
       card(),
@@ -96,7 +97,7 @@ Shot shot_of_answer(const Story& story) {
 List<Shot> pictures(const Story& story) {
   List<Shot> shots = {question_shot(card(), {.state = "before it is let go",
                                              .alt = "A box on a spring, pulled 1 m aside, and the question "
-                                                    "how far it swings after two seconds",
+                                                    "how large its swing is after two seconds",
                                              .scene = draw_spring_question})};
   shots.push_back(key_shot(
       story, "on a spring",

@@ -149,9 +149,10 @@ void draw_errors(Page& page, const Rect& rect, const Story& story, int step) {
   Plot plot = {.title = "height above the exact parabola (m)",
                .x = {.title = "t (s)", .min = 0, .max = flight.time[last]},
                .y = {.min = -most, .max = most}};
-  plot.series.push_back(error_series(flight, flight.explicit_euler, step, "explicit", explicit_style(page)));
   plot.series.push_back(
-      error_series(flight, flight.semi_implicit, step, "semi-implicit", semi_implicit_style(page)));
+      error_series(flight, flight.explicit_euler, step, "position first", explicit_style(page)));
+  plot.series.push_back(
+      error_series(flight, flight.semi_implicit, step, "velocity first", semi_implicit_style(page)));
   plot.goals.push_back({.y = 0, .text = "exact"});
   if (step < last) plot.cursor = flight.time[step];
   draw_plot(page, rect, plot);

@@ -28,11 +28,34 @@ Series series_of(const Swing& swing, const std::string& name, const SeriesStyle&
   return series;
 }
 
-/// Position against velocity, for a first swing of so many steps.
-Series loop_of(const Swing& swing, const std::string& name, const SeriesStyle& style, int steps) {
-  Series series{.name = name, .style = style};
-  for (int k = 0; k <= std::min(steps, swing.x.size() - 1); ++k) series.add(swing.x[k], swing.v[k] / omega);
-  return series;
+/// v/4π against x, over the first steps [m].
+List<Vec2<double>> loop_of(const Swing& swing, int steps) {
+  List<Vec2<double>> points;
+  for (int k = 0; k <= std::min(steps, swing.x.size() - 1); ++k)
+    points.push_back({swing.x[k], swing.v[k] / omega});
+  return points;
+}
+
+SeriesStyle exact_style(const Page& page) { return {.color = page.theme().exact.color}; }
+
+/// Two axes with one scale, so that a circle is one, as far as `most`; `tick` is marked on each side.
+Camera draw_axes(Page& page, const Rect& rect, const std::string& title, double most, double tick) {
+  const Camera camera = fit(page.panel(rect, title), {{-most, -most}, {most, most}});
+  const Stroke thin{.width = page.sizes().axis, .color = page.theme().secondary_text};
+  const TextStyle right = page.tick(), left = aligned(right, Align::right);
+  for (const Vec2<double>& axis : {Vec2<double>(1, 0), Vec2<double>(0, 1)}) {
+    page.canvas().line(camera.project(-most * axis), camera.project(most * axis), thin);
+    for (const double at : {-tick, tick}) {
+      const Point mark = camera.project(at * axis), across(5 * axis.y(), 5 * axis.x());
+      page.canvas().line(mark - across, mark + across, thin);
+      const bool is_right = axis.x() * at > 0;
+      const Point aside(is_right ? 8 : -8, axis.y() * at > 0 ? -8 : 18);
+      page.canvas().text(mark + aside, fixed(at, 0), is_right ? right : left);
+    }
+  }
+  page.canvas().text(camera.project({most, 0}) + Point(8, 6), "x (m)", page.label());
+  page.canvas().text(camera.project({0, most}) + Point(10, 14), "v / 4π (m)", page.label());
+  return camera;
 }
 
 /// The spring from the wall to the box.
@@ -47,9 +70,9 @@ void draw_coil(Page& page, const Camera& camera, double from, double to) {
   page.canvas().polyline(points, {.width = page.sizes().curve, .color = page.theme().text});
 }
 
-/// How far it swings after two seconds is asked, to each side; a scale would tell.
+/// How large the swing is after two seconds is asked; a scale would tell.
 void draw_asked(Page& page, const Rect& rect) {
-  const Rect inside = page.panel(rect, "after 2 s: how far to each side?");
+  const Rect inside = page.panel(rect, "after 2 s: how large is the swing?");
   const double y = inside.y + 0.6 * inside.height, middle = inside.x + 0.5 * inside.width;
   const Stroke thin{.width = page.sizes().axis, .color = page.theme().text};
   const TextStyle guess{.size = 26, .color = page.theme().velocity, .bold = true, .align = Align::center};
@@ -57,6 +80,19 @@ void draw_asked(Page& page, const Rect& rect) {
     const Point end(middle + side * 0.47 * inside.width, y);
     draw_length(page, {middle, y}, end, thin);
     page.canvas().text({middle + side * 0.24 * inside.width, y - 10}, "? m", guess);
+  }
+}
+
+/// The three kinds of line, with their names.
+void draw_names(Page& page, Point at) {
+  for (const auto& [name, style] :
+       {std::pair{"position first", explicit_style(page)},
+        std::pair{"velocity first", semi_implicit_style(page)}, std::pair{"exact", exact_style(page)}}) {
+    page.canvas().line(at, at + Point(44, 0),
+                       {.width = page.sizes().curve, .color = style.color, .dash = style.dash});
+    draw_marker(page.canvas(), at + Point(22, 0), style.marker, page.sizes().marker, style.color);
+    page.canvas().text(at + Point(54, 6), name, page.label());
+    at += Point(0, 30);
   }
 }
 
@@ -161,23 +197,22 @@ void draw_swings(Page& page, const Rect& rect, const Springs& springs) {
 void draw_loops(Page& page, const Springs& springs) {
   const List<Rect> parts = in_columns(page, {0.56, {0.44, {0.66, 0.34}}});
   const int turn = static_cast<int>(std::lround(1 / frequency / springs.dt));
-  Series exact{.name = "exact", .style = page.theme().exact, .markers = false};
-  for (int i = 0; i <= 96; ++i)
-    exact.add(std::cos(i * std::numbers::pi / 48), -std::sin(i * std::numbers::pi / 48));
-  const auto draw = [&](const Rect& rect, const std::string& title, int steps) {
-    Plot plot{.title = title};
-    plot.series = {loop_of(springs.explicit_euler, "position first", explicit_style(page), steps),
-                   loop_of(springs.semi_implicit, "velocity first", semi_implicit_style(page), steps), exact};
-    double most = 1.2;
-    for (const double x : plot.series[0].x) most = std::max(most, 1.1 * std::abs(x));
-    for (const double y : plot.series[0].y) most = std::max(most, 1.1 * std::abs(y));
-    plot.x = {.title = "x (m)", .min = -most, .max = most};
-    plot.y = {.min = -most, .max = most};
-    draw_plot(page, rect, plot);
-  };
   const int steps = springs.semi_implicit.x.size() - 1;
-  draw(parts[0], "the first swing: v / 4π (m) against x (m)", turn);
-  draw(parts[1], "all of two seconds", steps);
+  List<Vec2<double>> circle;
+  for (int i = 0; i <= 96; ++i)
+    circle.push_back({std::cos(i * std::numbers::pi / 48), std::sin(i * std::numbers::pi / 48)});
+  const auto draw = [&](const Camera& camera, int last) {
+    draw_trail(page, camera, circle, exact_style(page));
+    draw_trail(page, camera, loop_of(springs.semi_implicit, last), semi_implicit_style(page));
+    draw_trail(page, camera, loop_of(springs.explicit_euler, last), explicit_style(page));
+  };
+  const double first = 1.1 * swing_at(springs.explicit_euler, std::min(turn, steps));
+  const Camera camera = draw_axes(page, parts[0], "the first swing", first, 1);
+  draw(camera, turn);
+  draw_names(page, camera.project({0.42 * first, -0.68 * first}));
+  const double all = swing_at_end(springs.explicit_euler);
+  draw(draw_axes(page, parts[1], "all of two seconds", 1.15 * all, render::round_ticks(0, all, 2).back()),
+       steps);
   const double h = omega * springs.dt;
   page.equation(parts[2], {.number = "position first, one step",
                            .symbols = "√(1 + (4π Δt)²)",

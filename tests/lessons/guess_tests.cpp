@@ -51,9 +51,4 @@ TEST_CASE("a wrong guess that a lesson knows is wrong, and the lesson says why")
   CHECK(known >= 30);
 }
 
-TEST_CASE("where the box of lesson 00 is after two seconds is right, and so is the radius of its spiral") {
-  for (const std::string guess : {"18.66", "21.38", "22.8"})
-    CHECK(run_program("lesson00_one_body", {"--frames", "none", "--answer=" + guess}).code == 0);
-}
-
 }  // namespace cairn::testing
