@@ -9,8 +9,7 @@ const LessonCard lesson01(
      .title = "Where, and which way",
      .idea =
          "A constraint is a number c that must be 0. Its derivative j says how fast a velocity changes c, "
-         "and "
-         "in which direction the constraint pushes or pulls.",
+         "and in which direction the constraint pushes or pulls.",
      .paper = "paper 2.1, eq (3)-(5), (9), (10)",
      .equations = {"(3)   c(x, y, θ) = |p| − length = 0        p: the anchor on the box",
                    "(4)   dc/dt = 0                            with β = 0: c must not change",
@@ -28,7 +27,9 @@ const LessonCard lesson01(
      .wrong = {{{0.19}, {0.21}, "You left the turning out: a turning box moves the end of its arm."},
                {{0.39}, {0.41}, "A box that turns clockwise moves its left side up, not down."},
                {{-0.21}, {-0.19}, "So much takes the turning. The box moves along the rod as well."},
-               {{1}, {1.2}, "So fast goes the centre. Only motion along the rod makes the rod longer."}},
+               {{0.59}, {0.61}, "That is the motion to the right alone. The box also moves up, and turns."},
+               {{0.95}, {1.05}, "So fast the box moves to the right. Only motion along the rod counts."},
+               {{1.1}, {1.2}, "So fast goes the centre. Only motion along the rod makes the rod longer."}},
      .hints = {"Only what the anchor does along the rod makes it longer. Across the rod it may move.",
                "The rod points along u = (0.6, −0.8). When the box turns, the anchor moves too: up for a "
                "negative ω, because it is left of the centre.",

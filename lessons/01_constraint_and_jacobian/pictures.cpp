@@ -130,19 +130,21 @@ List<Shot> rod_shots(const Rod& rod) {
                "j = " +
                    components(rod.jacobian),
                draw_jacobian));
-  shots.push_back(
-      key_shot(rod, "j·v: how fast",
-               fmt::format("The velocities of the box and of its anchor as arrows; j·v = {:.3f} m/s.",
-                           rod.motion.rate),
-               draw_motion));
+  shots.push_back(key_shot(
+      rod, "j·v: how fast",
+      fmt::format(
+          "At the anchor the velocity of the box, what its turning adds, and their sum; j·v = {:.3f} m/s.",
+          rod.motion.rate),
+      draw_motion));
   shots.push_back(key_shot(rod, "jᵀ λ: which force",
                            "The pull of the rod as an arrow at the anchor and its torque as an arc.",
                            draw_force));
   shots.push_back(answer_shot(
       card(),
-      frame_of(rod, "after the lesson",
-               "The velocity of the anchor along the circle that the rod allows, and that of the centre.",
-               {.close = true, .circles = true, .velocity = true}),
+      frame_of(
+          rod, "after the lesson",
+          "At the anchor the velocity of the box and what its turning adds: their sum is along the circle.",
+          {.close = true, .circles = true, .velocity = true}),
       fmt::format("{} m/s. Only motion of the anchor along the rod counts. Where that is 0, the anchor moves "
                   "along the circle, whatever the centre does.",
                   significant(rod.motion.rate))));

@@ -25,7 +25,7 @@ List<Point> circle(const Camera& camera, double radius) {
 /// Where c is −1, 0 and +1 m, were the anchor there.
 void draw_circles(Page& page, const Camera& camera, const Rod& rod, const RodLook& look) {
   const Vec2<double> down = look.close
-                                ? Vec2<double>(Rotation<double>(0.38) * rod.settings.anchor.normalized())
+                                ? Vec2<double>(Rotation<double>(-0.15) * rod.settings.anchor.normalized())
                                 : Vec2<double>(0, -1);  // where the names stand
   for (const double c : {-1.0, 0.0, 1.0}) {
     const double radius = rod.length + c;
@@ -196,19 +196,39 @@ void draw_velocity(Page& page, const Camera& camera, const ArrowScale& scale, co
 
 Vec2<double> at_anchor(const Rod& rod, const Vec3<double>& v) { return v.head<2>() + cross(v.z(), rod.arm); }
 
-/// The velocity of the centre, and that of the anchor, which is what the rod sees.
-void draw_velocities(Page& page, const Camera& camera, const Rod& rod, const Vec3<double>& v) {
-  const Vec2<double> anchor = at_anchor(rod, v), centre = v.head<2>();
-  const double largest = std::max(centre.norm(), anchor.norm());
-  const ArrowScale scale{.pixels_per_unit = std::min(1.2, 2 / largest) * camera.scale, .longest = 1e4};
-  const Vec2<double> apart = centre - anchor - rod.arm * (camera.scale / scale.pixels_per_unit);
-  const double aside = apart.x() < 0 ? -0.8 : 0.8;  // each name on its side of the two arrows
-  draw_velocity(page, camera, scale,
-                {.kind = ArrowKind::velocity, .tail = rod.settings.anchor, .value = anchor}, "anchor",
-                -aside);
-  draw_velocity(page, camera, scale,
-                {.kind = ArrowKind::velocity, .tail = rod.pose.position, .value = centre, .active = false},
-                "centre", aside);
+/// A right angle between the rod and the velocity of its end.
+void draw_right_angle(Page& page, const Camera& camera, const Vec2<double>& at, const Vec2<double>& way) {
+  const Vec2<double> one = 0.14 * way.normalized(), other = -0.14 * at.normalized();  // [m]
+  const List<Point> corner = {camera.project(at + one), camera.project(at + one + other),
+                              camera.project(at + other)};
+  page.canvas().polyline(corner, {.width = page.sizes().axis, .color = page.theme().text});
+}
+
+/// At the anchor: how the box moves as a whole, what its turning adds, and the sum, which is what the rod
+/// sees.
+void draw_velocities(Page& page, const Camera& camera, const Rod& rod, const Motion& motion) {
+  const Vec2<double> sum = at_anchor(rod, motion.velocity), whole = motion.velocity.head<2>();
+  const Vec2<double>& anchor = rod.settings.anchor;
+  const double largest = std::max(whole.norm(), sum.norm()), metres = std::min(1.4, 2 / largest);  // [s]
+  const ArrowScale scale{.pixels_per_unit = metres * camera.scale, .longest = 1e4};
+  const Vec2<double> middle = anchor + metres * whole, tip = anchor + metres * sum;
+  const TextStyle grey = bold_label(page, page.theme().secondary_text);
+  draw_arrow(page, camera, scale,
+             {.kind = ArrowKind::velocity, .tail = anchor, .value = whole, .active = false});
+  draw_arrow(page, camera, scale,
+             {.kind = ArrowKind::velocity, .tail = middle, .value = sum - whole, .active = false});
+  page.avoid({camera.project(anchor), camera.project(middle), camera.project(tip)});
+  draw_velocity(page, camera, scale, {.kind = ArrowKind::velocity, .tail = anchor, .value = sum}, "anchor",
+                -0.8);
+  if (motion.rate == 0 && sum.norm() > 0) draw_right_angle(page, camera, anchor, sum);
+  const Point beside(12, 0.35 * grey.size);
+  const Point from = camera.project(anchor), knee = camera.project(middle), to = camera.project(tip);
+  if (motion.velocity.z() != 0)
+    page.place_text({0.5 * (knee + to) + beside - Point(0, 6), to + beside}, camera.viewport, "turning",
+                    grey);
+  if (whole.norm() > 0)
+    page.place_text({knee + beside + Point(0, 10), 0.5 * (from + knee) + beside}, camera.viewport,
+                    "as a whole", grey);
 }
 
 /// The velocity of the question, at the centre and around it; and where the rod begins and ends.
@@ -258,7 +278,7 @@ void draw_rod(Page& page, const Rect& rect, const Rod& rod, const RodLook& look)
   }
   if (look.direction || look.force) draw_row_arrows(page, camera, rod, look);
   if (look.asked) draw_asked(page, camera, rod);
-  if (look.velocity) draw_velocities(page, camera, rod, rod.motion.velocity);
+  if (look.velocity) draw_velocities(page, camera, rod, rod.motion);
   page.canvas().pop_clip();
 }
 
