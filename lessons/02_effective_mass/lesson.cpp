@@ -56,7 +56,6 @@ Push push_at(const PegSettings& settings, double x, double peg_mass) {
       .x = x, .row = problem.rows.at(0), .before = snapshot(world), .inverse_mass = problem.inverse_mass};
   push.by_hand = push_by_hand(problem, push.row);
   push.by_matrices = system_matrices(problem).A(0, 0);
-  // [library]
   push.inverse = inverse_effective_mass(problem, push.row);
   push.rate_before = row_velocity(problem, push.row);
 
@@ -65,7 +64,6 @@ Push push_at(const PegSettings& settings, double x, double peg_mass) {
   const VelocityProblem<double>& solved = world.last_step().problem;
   push.impulse = solved.impulse.at(0);
   push.rate_after = row_velocity(solved, push.row);
-  // [/library]
   push.after = push.before;
   for (const BodyId body : push.after.bodies.indices())
     push.after.bodies[body].velocity = solved.velocity[body];

@@ -137,7 +137,7 @@ std::string title_of(const Pushes& all, const Push& push, const PegLook& look) {
   }
   if (!look.directions && !look.named) return "";
   if (look.directions)
-    return fmt::format("x = {} m: as far out as the effective mass that way", significant(push.x));
+    return fmt::format("x = {} m: distance from the point = effective mass that way", significant(push.x));
   return push.x > 0 ? fmt::format("{} m to the right of the centre", significant(push.x))
                     : "below the centre";
 }
