@@ -100,6 +100,9 @@ double harmless_distance();
 /// Without the sign that rounding leaves on what is zero in four decimals.
 inline double cleaned(double value) { return std::abs(value) < 5e-5 ? 0 : value; }
 
+/// The same on the page, in the pictures and in the table.
+inline const char* name_of_foot(int foot) { return foot == 0 ? "left" : "right"; }
+
 // What is printed, checked and drawn.
 
 /// The question of the card with the numbers of this landing.

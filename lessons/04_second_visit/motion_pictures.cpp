@@ -66,7 +66,7 @@ void draw_spread(Page& page, const FeetRun& run) {
   plot.y = {.title = "", .min = 0};
   plot.series = {foot, box, sum};
   const auto peak = static_cast<int>(std::max_element(foot.y.begin(), foot.y.end()) - foot.y.begin());
-  plot.labels = {{foot.x[peak + 4], foot.y[peak + 4], "foot 1 rises"},
+  plot.labels = {{foot.x[peak + 4], foot.y[peak + 4], "the left foot rises"},
                  {box.x[peak], box.y[peak], "the box rises"},
                  {sum.x[peak], 0, "the sum clamped: nothing rises"}};
   plot.cursor = harmless_distance();

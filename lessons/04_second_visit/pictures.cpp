@@ -25,7 +25,7 @@ void draw_foot_velocity(Page& page, const Camera& camera, const BoxRun& box, con
   page.canvas().text(at, fixed(velocity, 2, Sign::always) + " m/s", style);
   style.color = page.theme().secondary_text;
   style.mono = false;
-  page.canvas().text(at - Point(0, 1.4 * style.size), i == 0 ? "left foot" : "right foot", style);
+  page.canvas().text(at - Point(0, 1.4 * style.size), fmt::format("{} foot", name_of_foot(i)), style);
 }
 
 /// The sum of a foot at the tip of its arrow, where there is room.
@@ -50,7 +50,7 @@ Equation equation_of(const Page& page, const Landing& landing, double exact, int
   const std::string before = fixed(visit.before[foot], 2);
   const std::string asked = fixed(std::abs(cleaned(visit.asked)), 2);
   const char* sign = cleaned(visit.asked) < 0 ? "−" : "+";
-  const std::string p = fmt::format("p_{{{}}}", foot + 1);
+  const std::string p = fmt::format("p_{{{}}}", name_of_foot(foot));
   Equation equation;
   equation.number = fmt::format("(22): p_{{corr}} = {} N s", fixed(cleaned(visit.asked), 2, Sign::always));
   if (landing.clamped == Clamped::increment) {
@@ -104,7 +104,7 @@ QuestionFrame question_frame(const FeetRun& run) {
 }
 
 QuestionFrame answer_frame(const FeetRun& run) {
-  return {.state = "sweep 2 · foot 1",
+  return {.state = "sweep 2 · left foot",
           .alt =
               "The second visit of the left foot: with each push clamped nothing is taken back, with the "
               "sum clamped a part of the first push; and the answer.",
@@ -131,12 +131,13 @@ std::string answer_text(const FeetRun& run) {
 Shot visit_shot(const FeetRun& run, int k) {
   const Visit& naive = run.box.by(Clamped::increment).visits[k];
   const Visit& sum = run.box.by(Clamped::sum).visits[k];
-  return {.state = fmt::format("sweep {}/{} · foot {}", sum.sweep, run.settings.sweeps, sum.foot + 1),
-          .alt = fmt::format("Sweep {}, foot {}: with each push clamped it gives {:.2f} N s, with the sum "
-                             "clamped {:.2f} N s; boxes and both formulas side by side.",
-                             sum.sweep, sum.foot + 1, naive.given(), sum.given()),
-          .draw = [&run, k](Page& page) { draw_visit(page, run, k); },
-          .key = k == 2};
+  return {
+      .state = fmt::format("sweep {}/{} · {} foot", sum.sweep, run.settings.sweeps, name_of_foot(sum.foot)),
+      .alt = fmt::format("Sweep {}, {} foot: with each push clamped it gives {:.2f} N s, with the sum "
+                         "clamped {:.2f} N s; boxes and both formulas side by side.",
+                         sum.sweep, name_of_foot(sum.foot), naive.given(), sum.given()),
+      .draw = [&run, k](Page& page) { draw_visit(page, run, k); },
+      .key = k == 2};
 }
 
 List<Shot> visit_shots(const FeetRun& run) {

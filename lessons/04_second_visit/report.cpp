@@ -10,7 +10,7 @@ const char* name_of(Clamped clamped) { return clamped == Clamped::sum ? "the sum
 
 void print_landings(Lesson& lesson, const BoxRun& box) {
   lesson.print(
-      fmt::format("{:<26} p_1 (N s)   p_2 (N s)  together   v (m/s)  ω (rad/s)  energy (J)", "in the end"));
+      fmt::format("{:<25} left (N s) right (N s)  together   v (m/s)  ω (rad/s)  energy (J)", "in the end"));
   for (const Landing& landing : box.landings) {
     lesson.print(fmt::format("  clamped: {:<16} {:>10.4f} {:>11.4f} {:>9.4f} {:>+9.4f} {:>+10.4f} {:>11.4f}",
                              name_of(landing.clamped), landing.impulse[0], landing.impulse[1],
@@ -119,8 +119,8 @@ void tell_visits(Lesson& lesson, const FeetRun& run) {
   const List<Visit>& naive = run.box.by(Clamped::increment).visits;
   const List<Visit>& sum = run.box.by(Clamped::sum).visits;
   lesson.print();
-  lesson.print("            each push is clamped (m/s, N s)         the sum is clamped (m/s, N s)");
-  lesson.print("sweep foot      j·v    p_corr       p after         j·v    p_corr       p after");
+  lesson.print("             each push is clamped (m/s, N s)         the sum is clamped (m/s, N s)");
+  lesson.print("sweep  foot      j·v    p_corr       p after         j·v    p_corr       p after");
   for (int k = 0; k < sum.size(); ++k) {
     const int foot = sum[k].foot;
     const auto half = [foot](const Visit& visit) {
@@ -128,7 +128,7 @@ void tell_visits(Lesson& lesson, const FeetRun& run) {
                          visit.after[foot]);
     };
     const std::string line =
-        fmt::format("{:>5} {:>4} {}   {}", sum[k].sweep, foot + 1, half(naive[k]), half(sum[k]));
+        fmt::format("{:>5} {:>5} {}   {}", sum[k].sweep, name_of_foot(foot), half(naive[k]), half(sum[k]));
     lesson.print_if(k < 6, line);
   }
   lesson.print(fmt::format("  ...  (-v shows all {} visits)", sum.size()));
@@ -175,8 +175,8 @@ CsvTable table_of(const FeetRun& run) {
   for (const Landing& landing : run.box.landings) {
     for (const Visit& visit : landing.visits) {
       const int foot = visit.foot;
-      table.rows.push_back({name_of(landing.clamped), visit.sweep, visit.foot + 1, visit.jv, visit.asked,
-                            visit.before[foot], visit.after[foot]});
+      table.rows.push_back({name_of(landing.clamped), visit.sweep, name_of_foot(visit.foot), visit.jv,
+                            visit.asked, visit.before[foot], visit.after[foot]});
     }
   }
   return table;
