@@ -49,14 +49,14 @@ void run(Lesson& lesson) {
   const Flight flight = fly(thrown);
   const Springs springs = swing(thrown.dt);
 
-  tell_scene(lesson, flight);
   lesson.predict();
-  tell_steps(lesson, flight);
   tell_springs(lesson, springs);
   lesson.answer({swing_at_end(springs.explicit_euler)}, 1,
                 fmt::format("Each step multiplies the swing by √(1 + (4π Δt)²), and there are many of them. "
                             "(At 2 s the box is at {} m, and not yet at its turning point.)",
                             fixed(springs.explicit_euler.x.back(), 1)));
+  tell_scene(lesson, flight);
+  tell_steps(lesson, flight);
   check_claims(lesson, flight);
   check_springs(lesson, springs);
   lesson.data(table_of(flight));

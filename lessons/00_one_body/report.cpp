@@ -6,7 +6,7 @@ namespace cairn::one_body {
 void tell_scene(Lesson& lesson, const Flight& flight) {
   const Throw& thrown = flight.thrown;
   lesson.print(
-      fmt::format("Scene: a unit box of 1 kg at ({}, {}) m, gravity {} m/s², Δt {} s, {} steps = {} s",
+      fmt::format("thrown: a unit box of 1 kg at ({}, {}) m, gravity {} m/s², Δt {} s, {} steps = {} s",
                   fixed(thrown.start.x(), 0), fixed(thrown.start.y(), 0), significant(thrown.gravity),
                   significant(thrown.dt), thrown.steps, significant(flight.time.back())));
   lesson.print(fmt::format("  v   = ({}, {}, {}) m/s, m/s, rad/s                  eq (1)",

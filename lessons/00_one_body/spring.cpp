@@ -124,7 +124,7 @@ double swing_at(const Swing& swing, int step) { return std::hypot(swing.x[step],
 double swing_at_end(const Swing& swing) { return swing_at(swing, swing.x.size() - 1); }
 
 void tell_springs(Lesson& lesson, const Springs& springs) {
-  lesson.print("on a spring, twice a second, from x = 1 m at rest:");
+  lesson.print("on a spring: twice a second, from x = 1 m at rest");
   lesson.print("    t (s)   position first (m)   its swing (m)   velocity first (m)   exact (m)");
   const int steps = springs.semi_implicit.x.size() - 1;
   for (int quarter = 0; quarter <= 4; ++quarter) {
