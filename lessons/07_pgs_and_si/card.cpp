@@ -19,17 +19,15 @@ const LessonCard lesson07(
      .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp",
                "src/solvers/iterative/sequential_impulse.cpp"},
      .question =
-         "PGS and SI solve the same 20 random rows from λ\u00a0=\u00a00, row after row in the same order. "
-         "SI "
-         "looks at the newest velocities at each visit, PGS at none until the end. After "
-         "ten sweeps PGS is still off by 69\u00a0% of the largest λ. By how many per cent is SI off?",
+         "PGS and SI solve the same 20 random rows from λ\u00a0=\u00a00, in the same order. PGS reads the λ "
+         "of all rows that meet row i. SI reads two bodies' velocities. After ten sweeps PGS is still off by "
+         "69\u00a0% of the largest λ. By how many per cent is SI off?",
      .spoilers = {"5.8", "one algorithm"},
      .unasked = {"sweeps"},
      .wrong = {{{0},
                 {68.7},
-                "SI looks at the newest velocities, but PGS looks at the newest λ. What do those velocities "
-                "hold?"},
-               {{70}, {100}, "SI has no A. But do the velocities that it reads hold less?"}},
+                "SI reads the newest velocities, but PGS reads the newest λ. What changed those velocities?"},
+               {{70}, {100}, "SI reads two bodies only. But which rows have pushed these two?"}},
      .hints = {"Both make one λ right, row after row. What does each of them look at for that?",
                "By (26) the velocities of SI hold all λ that have been given so far.",
                "J_i v = J_i v̄ + A_i η Δt: with that (27) becomes (28)."},

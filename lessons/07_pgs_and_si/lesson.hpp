@@ -54,7 +54,6 @@ struct TwiceRun {
   double pgs_off = 0;         // [%] largest error of any lambda after asked_sweeps, of the largest lambda
   double si_off = 0;
   PerRow<double> exact = {};  // where both end, lambda [N]
-  double entries = 0;         // of an average row of A that are not 0
 };
 
 inline constexpr int asked_sweeps = 10;  // that the question is about

@@ -137,7 +137,7 @@ double off_after_asked(VelocityProblem<double> problem, const PerRow<double>& ri
   return 100 * error / largest;
 }
 
-/// How far each is from where both end, and how full A is.
+/// How far each is from where both end.
 void ask(TwiceRun& run) {
   VelocityProblem<double> settled = run.problem;
   SequentialImpulse<double>({.iterations = 20000}).solve(settled);
@@ -145,7 +145,6 @@ void ask(TwiceRun& run) {
   run.si_off = off_after_asked<SequentialImpulse<double>>(run.problem, settled.impulse);
   run.exact = settled.impulse;
   for (double& lambda : run.exact) lambda /= run.problem.dt;
-  run.entries = static_cast<double>((run.system.A.array() != 0).count()) / run.problem.row_count();
 }
 
 }  // namespace
