@@ -227,13 +227,13 @@ FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
 
 List<Shot> start_shots(const WarmStart& all) {
   const int last = all.settings.steps;
-  const std::set<int> keys = {1, 5, 10, last};
+  const std::set<int> keys = {5, last};
   List<Shot> shots = {question_shot(card_for(all), asked(all))};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(all, k));
     shots.back().key = keys.contains(k);
   }
-  for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
+  shots.push_back(order_shot(all));
   shots.push_back(answer_shot(card_for(all), answered(all), answer_text(all)));
   return shots;
 }

@@ -54,20 +54,6 @@ void check_rates(Lesson& lesson, const WarmStart& all) {
     worst = std::max(worst, std::abs(error) / bound);
   }
   lesson.check_small("warm: |λ₁/W − 1| in units of cos(π/2n)^(sweeps × steps)", worst, 1);
-  const List<double> rule = warm_rule(settings);
-  double from_rule = 0, from_tower = 0;
-  for (int k = 1; k <= settings.steps; ++k) {
-    from_rule = std::max(from_rule, std::abs(warm_mode(settings, k) - rule[k]));
-    if (k > 1)
-      from_tower =
-          std::max(from_tower, std::abs(warm_mode(settings, k) - all.warm.loads[k][0] / settings.weight()));
-  }
-  // A step rounds a few numbers near 1.
-  lesson.check_small("warm: 1 − (8/π²) ρ^(sk/2) cos kφ solves the rule of e", from_rule,
-                     8 * epsilon * settings.steps);
-  // Without the quicker cosines; with as few as one sweep in each step they last longer, and nothing is said.
-  if (settings.sweeps >= 10 && settings.boxes == 10)
-    lesson.check_small("warm: and gives λ₁/W from step 2 on", from_tower, 0.005);
   double off = 0;
   for (const ColdSweeps& cold : all.sweeps) {
     off = std::max(off, std::abs(cold.needed - needed_by_formula(cold.boxes)));
@@ -108,13 +94,12 @@ void tell_scene(Lesson& lesson, const StartSettings& settings) {
 void tell_loads(Lesson& lesson, const WarmStart& all) {
   lesson.print();
   lesson.print("load on the lowest box (N), λ₁ of its contact");
-  lesson.print("step          cold        warm      W (1 − 8/π² ρ^(sk/2) cos kφ)");
+  lesson.print("step          cold        warm");
   for (const int step : {1, 2, 3, 5, 10, 20, 40, 80, 120, 200, 300}) {
     if (step > all.settings.steps) break;
-    lesson.print(fmt::format("{:>4} {:>13.2f} {:>11.2f} {:>30.2f}", step, all.cold.loads[step][0],
-                             all.warm.loads[step][0], all.settings.weight() * warm_mode(all.settings, step)));
+    lesson.print(
+        fmt::format("{:>4} {:>13.2f} {:>11.2f}", step, all.cold.loads[step][0], all.warm.loads[step][0]));
   }
-  const int n = all.settings.boxes;
   const int last = all.settings.steps;
   lesson.print(
       fmt::format("top moved {:>8.1f} mm {:>8.1f} mm", risen(all.cold, last), risen(all.warm, last)));
@@ -124,11 +109,6 @@ void tell_loads(Lesson& lesson, const WarmStart& all) {
   const double weight = all.settings.weight();
   lesson.print(fmt::format("|λ₁ − W| in the last quarter: at most {:.2g} N cold, {:.2g} N warm",
                            unrest(all.cold.loads, weight), unrest(all.warm.loads, weight)));
-  const double share = share_left(n, all.settings.sweeps);
-  lesson.print(
-      fmt::format("ρ = cos²(π/2n) is what a sweep leaves of an error, and ρ^{} = {:.4f} what a step leaves; "
-                  "a warm step leaves √{:.4f} = {:.4f}, and swings",
-                  all.settings.sweeps, share, share, std::sqrt(share)));
   lesson.print();
 }
 
