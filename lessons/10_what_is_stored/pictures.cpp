@@ -80,39 +80,20 @@ void draw_row(Page& page, const StoredRun& run, int active) {
   draw_matrix(page, parts[2], view);
 }
 
-/// Dark: in A. Grey, as all that does nothing: zero in A, and counted by (30).
-Color colour_of(const Theme& theme, Entry entry) {
-  return entry == Entry::printed_only ? theme.inactive : theme.outline;
-}
-
-/// What the two colours of a pattern say, each `pitch` from the one before.
-void draw_colours(Page& page, Point at, const Point& pitch) {
-  const double side = page.label().size;
-  for (const auto& [entry, meaning] :
-       {std::pair(Entry::true_entry, "not zero in A: both rows act on one box"),
-        std::pair(Entry::printed_only, "zero in A, but counted by (30): only the ground is shared")}) {
-    page.canvas().rect({at.x(), at.y(), side, side}, {.fill = colour_of(page.theme(), entry)});
-    page.canvas().text({at.x() + side + 8, at.y() + 0.85 * side}, meaning, page.label());
-    at += pitch;
-  }
-}
-
 void draw_patterns(Page& page, const StoredRun& run) {
-  const List<Rect> bands = in_rows(page, {0.66, 0.26, 0.08});
+  const List<Rect> bands = in_rows(page, {0.7, 0.3});
   for (const int which : {0, 1, 2}) {
     draw_pattern(page, in_columns(page, bands[0], {1, 1, 1})[which], run.pyramids[which],
                  run.problems[which]);
     draw_pyramid(page, in_columns(page, bands[1], {1, 1, 1})[which], run, which);
   }
-  const Rect key = page.panel(bands[2], "");
-  draw_colours(page, {key.x, key.y - 4}, {0.4 * key.width, 0});
 }
 
 /// Columns `first` to `end` of a row of A as a strip.
-void draw_entries(Page& page, const Rect& strip, const List<Entry>& row, int first, int end) {
+void draw_entries(Page& page, const Rect& strip, const List<char>& row, int first, int end) {
   const double cell = strip.width / (end - first);
   for (int j = first; j < end; ++j) {
-    if (row[j] != Entry::true_entry) continue;
+    if (!row[j]) continue;
     page.canvas().rect({strip.x + cell * (j - first), strip.y, std::max(1.0, cell - 1), strip.height},
                        {.fill = page.theme().outline});
   }
@@ -123,18 +104,17 @@ void draw_entries(Page& page, const Rect& strip, const List<Entry>& row, int fir
 /// The question asks what stands there.
 void draw_strip(Page& page, const Rect& rect, const VelocityProblem<double>& problem, bool asked) {
   const int m = problem.row_count();
-  const List<Entry> row = pattern(problem)[m / 2];
-  const auto entry_count = std::count(row.begin(), row.end(), Entry::true_entry);
-  const auto is_entry = [](Entry entry) { return entry == Entry::true_entry; };
-  const int first = static_cast<int>(std::find_if(row.begin(), row.end(), is_entry) - row.begin());
-  const int end = m - static_cast<int>(std::find_if(row.rbegin(), row.rend(), is_entry) - row.rbegin());
+  const List<char> row = pattern(problem)[m / 2];
+  const auto entry_count = std::count(row.begin(), row.end(), 1);
+  const int first = static_cast<int>(std::find(row.begin(), row.end(), 1) - row.begin());
+  const int end = m - static_cast<int>(std::find(row.rbegin(), row.rend(), 1) - row.rbegin());
   const Rect inside = page.panel(
-      rect, asked ? fmt::format("one row of A: {} entries, how many are not zero?", m)
+      rect, asked ? fmt::format("row {} of A: {} entries, how many are not zero?", m / 2 + 1, m)
                   : fmt::format("row {}: {} of {} entries are not zero; below, columns {} to {} enlarged",
                                 m / 2 + 1, entry_count, m, first + 1, end));
   if (asked) {
     const Rect strip{inside.x, inside.y + 0.2 * inside.height, inside.width, 0.6 * inside.height};
-    draw_entries(page, strip, List<Entry>(m, Entry::zero), 0, m);
+    draw_entries(page, strip, List<char>(m, 0), 0, m);
     TextStyle style = page.label();
     style.size = 0.8 * strip.height;
     style.align = Align::center;
@@ -178,7 +158,7 @@ Shot row_shot(const StoredRun& run, int row) {
                              "beside it A as a heat map with row {} framed.",
                              row + 1, row + 1),
           .draw = [&run, row](Page& page) { draw_row(page, run, row); },
-          .key = row == 0 || row == 8};
+          .key = row == 8};
 }
 
 QuestionFrame question_frame(const StoredRun& run) {
@@ -207,7 +187,7 @@ QuestionFrame answer_frame(const StoredRun& run) {
 Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const VelocityProblem<double>& problem) {
   const Rect inside = page.panel(rect, fmt::format("{}: {} of {} entries are not zero", count.name,
                                                    spaced(count.non_zeros), spaced(count.dense)));
-  const List<List<Entry>> entries = pattern(problem);
+  const List<List<char>> entries = pattern(problem);
   const int m = entries.size();
   const double side = std::min(inside.width, inside.height);
   const double left = std::round(inside.x + (inside.width - side) / 2), top = std::round(inside.y);
@@ -216,9 +196,9 @@ Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const Veloci
     const double height = std::max(1.0, edge(i + 1) - edge(i));
     for (int first = 0, end = 0; first < m; first = end) {
       while (end < m && entries[i][end] == entries[i][first]) ++end;
-      if (entries[i][first] == Entry::zero) continue;
+      if (!entries[i][first]) continue;
       page.canvas().rect({left + edge(first), top + edge(i), edge(end) - edge(first), height},
-                         {.fill = colour_of(page.theme(), entries[i][first])});
+                         {.fill = page.theme().outline});
     }
   }
   const Rect square{left, top, edge(m), edge(m)};
@@ -229,17 +209,18 @@ Rect draw_pattern(Page& page, const Rect& rect, const Count& count, const Veloci
 List<Shot> stored_shots(const StoredRun& run) {
   List<Shot> shots = {question_shot(card(), question_frame(run))};
   for (int row = 0; row < run.problems[smallest].row_count(); ++row) shots.push_back(row_shot(run, row));
-  shots.push_back(key_shot(run, "three patterns",
-                           "The patterns of A for pyramids of base 3, 5 and 10: a band of entries that gets "
-                           "thinner, and a grey block that only equation 30 counts.",
-                           draw_patterns));
-  shots.push_back(case_shot(run));
+  shots.push_back(
+      key_shot(run, "three patterns",
+               "The patterns of A for pyramids of base 3, 5 and 10: three bands of entries that get "
+               "thinner.",
+               draw_patterns));
   for (Shot& shot : cost_shots(run)) shots.push_back(std::move(shot));
   const Count& count = run.pyramids[largest];
   shots.push_back(answer_shot(
       card(), answer_frame(run),
-      fmt::format("{:.1f} of {:g}, and never more than 14. Without its zeros, A grows like m, as SI does.",
-                  count.non_zeros / count.rows, count.rows)));
+      fmt::format("14 of {:g}, as many as in any row inside the pyramid, however high it is. On average it "
+                  "is {:.1f}.",
+                  count.rows, count.non_zeros / count.rows)));
   return shots;
 }
 
