@@ -119,7 +119,7 @@ Shot force_shot(const Study& study, bool rough) {
                 draw_bars(page, parts[1], force_bars(page, study, shown));
                 page.equation(parts[2], limit_equation(shown));
               },
-          .key = true};
+          .key = rough};
 }
 
 /// The first step, sweep by sweep: bounds that move.
