@@ -16,7 +16,6 @@ struct Force {
   render::Arrow arrow = {};
   std::string text = "";
   bool is_above = false;  // the label stands above the tip, clear of others below
-  bool at_tail = false;   // the label stands at the tail, where the tip is within the block
 };
 
 /// Writes the label at the arrow's tip: beside the middle it would stand upon the block.
@@ -31,11 +30,6 @@ void label_force(Page& page, const Camera& camera, const Rect& panel, const Arro
   const double size = style.size;
   const double side = value.x() < 0 ? -width : 0;
   List<Point> places;
-  if (force.at_tail) {
-    const Point tail = camera.project(force.arrow.tail);
-    for (const double up : {0.2, 1.6, 3.0}) places.push_back(tail + Point(-width - 8, -up * size));
-    for (const double up : {0.8, 2.2}) places.push_back(tail + Point(-0.5 * width, -up * size));
-  }
   if (force.is_above) places.push_back({std::max(tip.x() - 0.85 * width, panel.x + 6), tip.y() - 2.2 * size});
   if (value.x() < 0) {
     // Below the shaft, which comes down to the right from the tip, and where others stand there, below them.
@@ -48,6 +42,7 @@ void label_force(Page& page, const Camera& camera, const Rect& panel, const Arro
     places.push_back(tip + Point(side, 1.4 * size));
   }
   places.push_back(tip + Point(value.x() < 0 ? -width - 8 : 16, size / 3));
+  places.push_back(tip + Point(14, -0.6 * size));
   places.push_back(tip + Point(side, -10));
   page.place_text(places, panel, force.text, style);
 }
@@ -130,12 +125,6 @@ void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corn
                       solved && contact.position.x() < middle.x()});
   }
   if (solved) {
-    // It ends at the middle: from there on it would cross the load of the lower corner.
-    const Vec2<double> tail = middle - law.needed * scale.pixels_per_unit / camera.scale * downhill;
-    forces.push_back({{.kind = ArrowKind::external, .tail = tail, .value = law.needed * downhill},
-                      newtons("m g sin α", law.needed),
-                      false,
-                      true});
     draw_key(page, rect, scale);
     draw_arm(page, camera, slide, middle);
   }

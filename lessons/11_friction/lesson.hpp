@@ -146,7 +146,7 @@ List<Shot> slide_shots(const Study& study);
 
 /// What is drawn at the two corners.
 enum class Corners { asked, solved };
-/// The friction of both corners: as a question, or with its bracket, the load, and what pulls the block down.
+/// The friction of both corners: as a question, or with its bracket and the load.
 void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corners);
 
 }  // namespace cairn::friction
