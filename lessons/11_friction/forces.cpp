@@ -41,8 +41,8 @@ void label_force(Page& page, const Camera& camera, const Rect& panel, const Arro
     places.push_back(tip + Point(size, -size));  // clear of the bracket that may stand at the tip
     places.push_back(tip + Point(side, 1.4 * size));
   }
+  if (value.x() > 0 && value.y() > 0) places.push_back(tip + Point(14, -0.5 * size));  // clear of the arm
   places.push_back(tip + Point(value.x() < 0 ? -width - 8 : 16, size / 3));
-  places.push_back(tip + Point(14, -0.6 * size));
   places.push_back(tip + Point(side, -10));
   page.place_text(places, panel, force.text, style);
 }
