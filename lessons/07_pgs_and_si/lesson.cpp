@@ -66,9 +66,8 @@ void run(Lesson& lesson) {
   tell_first_sweep(lesson, twice);
   tell_precisions(lesson, twice);
   lesson.answer(
-      {twice.si_off}, 0.6,  // the question rounds it
-      "Exactly as far as PGS, after every sweep: they are one algorithm, and only rounding tells them "
-      "apart.");
+      {twice.pgs_off / twice.si_off}, 0.05,
+      "The errors are equal after every sweep: both are one algorithm, and only rounding tells them apart.");
   check_claims(lesson, twice);
   check_masses(lesson, twice);
   lesson.film(twice_shots(twice));

@@ -95,16 +95,18 @@ void draw_both(Page& page, const Rect& rect, const TwiceRun& run, bool shows_si)
   const List<Rect> upper = in_columns(page, parts[0], {{0.58, {0.5, 0.5}}, 0.42});
   const int sweep = std::min(asked_sweeps, run.settings.sweeps);
   const Farthest far = farthest(run, sweep);
-  page.equation(upper[0], {.number = "PGS: λ of the other strong lines",
+  page.equation(upper[0], {.number = "PGS reads λ of the other strong lines",
                            .symbols = "λ_{i} ← (b_{i} − Σ_{j≠i} A_{ij} λ_{j}) / A_{ii}"});
-  page.equation(upper[1], {.number = "SI: velocities of the two lit bodies",
+  page.equation(upper[1], {.number = "SI reads velocities of the two lit bodies",
                            .symbols = "λ_{i} ← λ_{i} + (ζ − j·v) / (j M^{−1} j^{T} Δt)"});
   draw_bodies(page, upper[2], run, far.row);
   Moment moment{.pgs = run.pgs[sweep], .active = far.row, .exact = run.exact};
   if (shows_si) moment.si = run.si[sweep];
-  draw_pairs(page, parts[1],
-             fmt::format("λ (N) after {} sweeps; row {} is {} % off:", sweep, far.row + 1, fixed(far.off, 0)),
-             moment, range_of(run));
+  const std::string title =
+      shows_si
+          ? fmt::format("λ (N) after {} sweeps; row {} is {} % off:", sweep, far.row + 1, fixed(far.off, 0))
+          : fmt::format("λ (N) after {} sweeps; largest error: row {}", sweep, far.row + 1);
+  draw_pairs(page, parts[1], title, moment, range_of(run));
 }
 
 void draw_differences(Page& page, const Rect& rect, const TwiceRun& run) {
@@ -162,7 +164,7 @@ List<Shot> twice_shots(const TwiceRun& run) {
   List<Shot> shots = {question_shot(
       card(), {.state = "after ten sweeps of PGS",
                .alt = "Eight bodies and the twenty rows between them, what PGS and what SI look at in one "
-                      "update, how far PGS is off after ten sweeps, and the question.",
+                      "update, the λ of PGS after ten sweeps, and the question.",
                .scene = [&run](Page& page, const Rect& rect) { draw_both(page, rect, run, false); }})};
   for (int row = 0; row < run.problem.row_count(); ++row) shots.push_back(row_shot(run, row));
   for (int sweep = 2; sweep <= last; ++sweep) shots.push_back(sweep_shot(run, sweep));
@@ -175,9 +177,9 @@ List<Shot> twice_shots(const TwiceRun& run) {
       {.state = "after ten sweeps of both",
        .alt = "The same bodies, rows and updates; SI has the same λ as PGS in every row; and the answer.",
        .scene = [&run](Page& page, const Rect& rect) { draw_both(page, rect, run, true); }},
-      fmt::format("{} %, as PGS, and every other λ is the same too: they are one algorithm. The velocities "
+      fmt::format("{}: every λ is the same, and both are {} % off. They are one algorithm. The velocities "
                   "that SI reads hold what all rows have given so far.",
-                  fixed(run.si_off, 0))));
+                  fixed(run.pgs_off / run.si_off, 0), fixed(run.si_off, 0))));
   return shots;
 }
 

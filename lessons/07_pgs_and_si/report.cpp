@@ -47,6 +47,12 @@ void tell_precisions(Lesson& lesson, const TwiceRun& run) {
   }
   lesson.print(fmt::format("after {} sweeps, off the answer by (% of the largest λ): PGS {:.4f}, SI {:.4f}",
                            asked_sweeps, run.pgs_off, run.si_off));
+  lesson.print("the same rows, but PGS from the last to the first: largest |λ_PGS − λ_SI|");
+  int sweeps = 1;
+  for (const double difference : run.backwards) {
+    lesson.print(fmt::format("  after {:>4} sweep{} {:>9.2g} N", sweeps, sweeps > 1 ? "s" : " ", difference));
+    sweeps *= 10;
+  }
   lesson.print("Erratum: in (28) of the paper read i for l, and m for n; both sums use the newest η.");
   lesson.print();
 }
