@@ -63,8 +63,7 @@ struct WarmStart {
   StartRun cold = {};
   StartRun warm = {};
   StartRun many_cold = {};  // with many_sweeps, for question_steps
-  StartRun few_warm = {};   // with so few sweeps that it just never sinks so far
-  int few = 0;
+  StartRun one_warm = {};   // with one sweep, for as many steps
   GuestRun guest = {};
   List<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
   LibraryRun library = {};
@@ -80,7 +79,7 @@ LibraryRun run_library(const StartSettings& settings);
 /// One step from zero, until the lowest contact lacks wanted_error, and some sweeps more.
 ColdSweeps sweep_cold(int boxes, double dt);
 
-/// What so few warm sweeps cost: while their top is deeper than that of many cold ones.
+/// What one warm sweep a step costs: while its top is deeper than that of many cold ones.
 struct Price {
   int deeper = 0;   // steps
   int last = 0;     // of these
