@@ -197,17 +197,20 @@ void draw_lengths(Page& page, const Camera& camera, const DriftRuns& all, const 
 }  // namespace
 
 void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, const BallLook& look) {
-  const Rect inside = page.panel(
-      rect, look.speeds ? "β of each ball; before the push (m/s), grey: asked, blue: has" : "β in the ball");
+  const bool is_alone = all.balls.size() == 1;
+  const std::string title = is_alone ? "" : "β of each ball";
+  const std::string more = look.speeds ? "; before the push (m/s), grey: asked, blue: has" : "";
+  const Rect inside = page.panel(rect, title + more);
   const double right = ball_pitch * (all.balls.size() - 1);
   const double top = 2 * ball_radius + std::max(highest_peak(all), 0.0) + 0.1;
-  const double bottom = -0.35;                              // [m] at the lower edge of the panel
-  const double beside = all.balls.size() > 1 ? 0.65 : 1.2;  // [m] of room, for lengths
+  const double bottom = -0.35;                  // [m] at the lower edge of the panel
+  const double beside = is_alone ? 1.2 : 0.65;  // [m] of room, for lengths
   Camera camera = fit(inside, {{-beside, bottom}, {right + beside, top}});
   camera.center.y() = bottom + 0.5 * camera.viewport.height / camera.scale;
   if (!look.speeds) draw_ghosts(page, camera, flights(all, look.step));
   WorldLook world{.numbers = camera.scale >= 45, .names = {""}};
-  for (const BallRun& run : all.balls) world.names.push_back(fmt::format("{:g}", run.beta));
+  for (const BallRun& run : all.balls)
+    world.names.push_back(fmt::format("{}{:g}", is_alone ? "β = " : "", run.beta));
   draw_world(page, camera, balls_together(all, look.step), world);
   if (look.speeds) draw_speeds(page, camera, all, look.step);
   draw_lengths(page, camera, all, look);
