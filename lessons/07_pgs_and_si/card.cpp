@@ -19,8 +19,8 @@ const LessonCard lesson07(
                "src/solvers/iterative/sequential_impulse.cpp"},
      .question =
          "PGS and SI begin with λ\u00a0=\u00a00 and visit the same 20 random rows in the same order. After "
-         "ten sweeps, how many times as large is the largest error of PGS as that of SI? (2: SI is twice as "
-         "near, 0.5: PGS is.)",
+         "ten sweeps, how many times as large is the largest error of PGS as that of SI? (3: PGS is "
+         "three times as far off; below 1: SI is farther off.)",
      .spoilers = {"69 %", "one algorithm"},
      .unasked = {"sweeps", "seed"},
      .wrong = {{{1.1},
