@@ -23,7 +23,7 @@ const LessonCard lesson06(
          "A\u00a0λ\u00a0=\u00a0b says: the left support pulls with 20\u00a0N, the right one pushes with "
          "60\u00a0N. But the left one cannot pull. How hard does the right one push then, in N?",
      .spoilers = {"30 N", "tips"},
-     .unasked = {"boxes", "dt", "sweeps"},
+     .unasked = {"dt", "sweeps"},
      .wrong = {{{59}, {61}, "That needs the pull of the left support, which it cannot give."},
                {{39},
                 {41},
@@ -33,8 +33,7 @@ const LessonCard lesson06(
      .hints = {"Without the pull, does the right support have more to push against, or less?",
                "Only one point of the rod is held. The rest of it may fall.",
                "λ₂ = b₂ / A₂₂, with A₂₂ = 1/4 + 0.5²/3 and b₂ = 10 m/s²."},
-     .parameters = {{"boxes", 3, 2, 6, "", "boxes in the stack", Parameter::Kind::whole},
-                    {"dt", 0.02, 0.005, 0.1, "s", "time step"},
+     .parameters = {{"dt", 0.02, 0.005, 0.1, "s", "time step"},
                     {"sweeps", 10, 3, 100, "", "sweeps", Parameter::Kind::whole},
                     {"support", 1, 0.5, 3, "m", "from the left end of the rod to the right support"}},
      .cover = 1,

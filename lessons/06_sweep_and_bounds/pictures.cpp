@@ -1,56 +1,9 @@
-// How the error of the stack shrinks, the intervals of all kinds of rows, and the order of all frames.
-#include <set>
-
+// The intervals of all kinds of rows, and the order of all frames.
 #include "lesson.hpp"
 
 namespace cairn::sweeps {
 
 namespace {
-
-/// What is missing of one lambda after each sweep, over its exact value.
-Series missing(const std::string& name, const Swept& swept, const StackRun& stack, int row) {
-  Series series{.name = name};
-  for (int k = 0; k < swept.by_sweep.size(); ++k)
-    series.add(k, std::abs(stack.exact[row] - swept.by_sweep[k][row]) / stack.exact[row]);
-  return series;
-}
-
-/// A table of what a sweep leaves, and of how many sweeps a digit takes.
-TableView shares_left(int boxes) {
-  TableView table;
-  table.header = {"boxes n", "ρ", "sweeps a digit"};
-  for (const int n : std::set<int>{2, 3, 5, 10, 20, boxes}) {
-    const double factor = error_factor(n);
-    table.rows.push_back({fmt::format("{}", n), fixed(factor, 4), fixed(-1 / std::log10(factor), 1)});
-    if (n == boxes) table.active_row = table.rows.size() - 1;
-  }
-  return table;
-}
-
-void draw_errors(Page& page, const SweepRun& run) {
-  const List<Rect> parts = in_columns(page, {0.6, {0.4, {0.52, 0.48}}});
-  const StackRun& stack = run.stack;
-  const int top = stack.exact.size() - 1;
-  const std::string name = fmt::format("λ_{{{}}}", top + 1);
-  Plot plot{.title = "error of λ, over its exact value"};
-  plot.x = {.title = "sweep"};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic};
-  plot.series = {missing(name + " top down", stack.down, stack, top),
-                 missing(name + " ground up", stack.up, stack, top),
-                 missing("λ_{1} either way", stack.up, stack, 0)};
-  plot.y.min = 0.6 * plot.series[2].y.back();
-  plot.series[0].style = {page.theme().inactive, {}, Marker::diamond};
-  plot.series[1].style = page.theme().pgs;
-  plot.series[1].style.dash = {10, 6};
-  plot.series[1].style.marker = Marker::triangle;
-  plot.series[2].style = page.theme().pgs;
-  draw_plot(page, parts[0], plot);
-  page.note(parts[1], "How the error shrinks",
-            "Only row 1 has b ≠ 0. If the sweeps go from the ground up, the first one carries that to the "
-            "top. If they go from the top down, it climbs one contact a sweep. Then a sweep leaves "
-            "ρ = cos²(π/2n) of every error.");
-  page.table(parts[2], "left after a sweep", shares_left(run.settings.boxes));
-}
 
 Color color_of(const Theme& theme, const Bounds<double>& bounds) {
   if (bounds.is_friction()) return theme.friction;
@@ -165,11 +118,6 @@ List<Shot> sweep_shots(const SweepRun& run) {
   List<Shot> shots = {question_shot(run)};
   const List<Shot> rod = rod_shots(run);
   shots.insert(shots.end(), rod.begin(), rod.end());
-  shots.push_back(key_shot(
-      run, fmt::format("the stack · {} sweeps", run.settings.sweeps),
-      "The error against sweeps on a logarithmic axis, from the ground up and from the top down: two "
-      "lines of the same slope.",
-      draw_errors));
   shots.push_back({.state = "intervals",
                    .alt = "Number lines: the interval of a contact or rope, of a joint, of a motor and of "
                           "friction.",

@@ -1,8 +1,6 @@
 // The plane of two lambda: where they may be, where each row is satisfied, and the way of Gauss-Seidel.
 #include "lesson.hpp"
 
-#include <Eigen/Cholesky>
-
 namespace cairn::sweeps {
 
 namespace {
@@ -29,24 +27,6 @@ void draw_forbidden(Page& page, const Camera& camera) {
   page.canvas().line({origin.x(), view.y}, {origin.x(), bottom}, axis);
   page.avoid({{view.x, origin.y()}, {view.x + view.width, origin.y()}});
   page.avoid({{origin.x(), view.y}, {origin.x(), bottom}});
-}
-
-/// All lambda with the same 1/2 lambda^T A lambda - b^T lambda as `through`: an ellipse around the statics.
-void draw_level(Page& page, const Camera& camera, const RodRun& rod, const Pair& through) {
-  const Matrix<double>& A = rod.system.A;
-  const Vec2<double> middle(rod.statics[0], rod.statics[1]);
-  const Vec2<double> arm = Vec2<double>(through[0], through[1]) - middle;
-  const double size = std::sqrt(arm.dot(A * arm));
-  // With A = L L^T, the points of the level are L^-T times those of a circle.
-  const Matrix<double> upper = A.llt().matrixU();
-  List<Point> points;
-  for (int i = 0; i <= 144; ++i) {
-    const Vec2<double> round(std::cos(2 * pi * i / 144), std::sin(2 * pi * i / 144));
-    const Vec2<double> out = upper.triangularView<Eigen::Upper>().solve(round);
-    points.push_back(camera.project(middle + size * out));
-  }
-  page.canvas().polyline(points, {.width = 1.5, .color = page.theme().inactive});
-  page.avoid(points);
 }
 
 TextStyle plane_text(const Page& page) {
@@ -84,8 +64,8 @@ void name_row_line(Page& page, const Camera& camera, const RodRun& rod, int i) {
   page.place_text(places, inset(camera.viewport, 4), text, style);
 }
 
-/// Values along both axes, on the side where nothing may be, from 0 on.
-void write_ticks(Page& page, const Camera& camera) {
+/// Values along both axes, on the side where nothing may be, from 0 on; the ring of the answer has its own.
+void write_ticks(Page& page, const Camera& camera, const Pair& ring) {
   const Rect room = inset(camera.viewport, 4);
   const Vec2<double> far = camera.unproject({room.x + room.width, room.y});
   TextStyle style = plane_text(page);
@@ -93,7 +73,7 @@ void write_ticks(Page& page, const Camera& camera) {
   for (const bool upward : {false, true}) {
     const double end = upward ? far.y() : far.x();
     for (const double value : render::round_ticks(0, end, upward ? 5 : 3)) {
-      if (upward && value == 0) continue;
+      if (upward && (value == 0 || std::abs(value - ring[1]) * camera.scale < style.size)) continue;
       const Point at = camera.project(upward ? Vec2<double>(0, value) : Vec2<double>(value, 0));
       const Point side = upward ? Point(-6, 0) : Point(0, 6);
       page.canvas().line(at, at + side, {.width = page.sizes().axis, .color = page.theme().outline});
@@ -176,11 +156,6 @@ void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneVi
   const Camera camera = plane_camera(inside, rod, close);
   page.canvas().push_clip(inside);
   draw_forbidden(page, camera);
-  if (view.levels) {
-    const PerRow<double>& first = rod.bounded.after[rod.tips() ? 1 : 0];
-    draw_level(page, camera, rod, {first[0], first[1]});
-    if (rod.tips()) draw_level(page, camera, rod, rod.formula);
-  }
   draw_row_line(page, camera, rod, 0);
   draw_row_line(page, camera, rod, 1);
   draw_way(page, camera, view.other, {page.theme().secondary_text, {}, Marker::diamond}, 1.5);
@@ -188,7 +163,7 @@ void draw_plane(Page& page, const Rect& rect, const SweepRun& run, const PlaneVi
   draw_way(page, camera, view.way, page.theme().pgs, page.sizes().curve);
   if (!close) draw_goal(page, camera, rod.statics, !rod.tips());
   if (rod.tips()) draw_goal(page, camera, rod.formula, true);
-  write_ticks(page, camera);
+  write_ticks(page, camera, rod.formula);
   name_pull(page, camera);
   name_row_line(page, camera, rod, 0);
   name_row_line(page, camera, rod, 1);

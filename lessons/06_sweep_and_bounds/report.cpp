@@ -34,24 +34,6 @@ void print_update(Lesson& lesson, const SystemMatrices<double>& system, const Sw
   lesson.print_if(k < shown, line);
 }
 
-double largest_gap(const PerRow<double>& a, const PerRow<double>& b) {
-  double gap = 0;
-  for (int i = 0; i < a.size(); ++i) gap = std::max(gap, std::abs(a[i] - b[i]));
-  return gap;
-}
-
-/// Going down, row i has after sweep k what it had going up i - 1 sweeps earlier.
-double order_gap(const StackRun& stack) {
-  double gap = 0;
-  for (int k = 0; k < stack.up.by_sweep.size(); ++k) {
-    for (int i = 0; i < stack.exact.size(); ++i) {
-      const double earlier = k >= i ? stack.up.by_sweep[k - i][i] : 0;
-      gap = std::max(gap, std::abs(stack.down.by_sweep[k][i] - earlier));
-    }
-  }
-  return gap;
-}
-
 /// [N] A system solved until rounding is off by that times its condition, which is below 4 / (1 - rate).
 double rounding_of(const RodRun& rod) {
   const double largest = std::max(std::abs(rod.statics[0]), rod.statics[1]);
@@ -68,9 +50,9 @@ void append_rows(CsvTable& table, const char* name, const Swept& swept, double d
 
 }  // namespace
 
-void print_scenes(Lesson& lesson, const SweepSettings& settings) {
+void print_scene(Lesson& lesson, const SweepSettings& settings) {
   lesson.print(fmt::format(
-      "Scenes: g = {:g} m/s², Δt = {:g} s; gravity is in v₁ already; {} sweeps from λ = 0, no warm start",
+      "Scene: g = {:g} m/s², Δt = {:g} s; gravity is in v₁ already; {} sweeps from λ = 0, no warm start",
       gravity, settings.dt, settings.sweeps));
   if (settings.support != 1) {
     const double right = rod_mass * gravity * rod_length / 2 / settings.support;
@@ -78,25 +60,6 @@ void print_scenes(Lesson& lesson, const SweepSettings& settings) {
         "        the right support is at {:g} m here, not at 1 m: A λ = b says {:.4g} and {:.4g} N",
         settings.support, rod_mass * gravity - right, right));
   }
-}
-
-void print_stack(Lesson& lesson, const SweepRun& run) {
-  const StackRun& stack = run.stack;
-  lesson.print(
-      fmt::format("The stack: {} unit boxes of 1 kg on top of each other; A and b are those of lesson 05",
-                  run.settings.boxes));
-  std::string header = "after sweep                 ", up = "largest error, over λ_1     ";
-  for (const int sweep : {1, 2, 3, 5, 10, 20, 50, 100}) {
-    if (sweep > run.settings.sweeps) break;
-    header += fmt::format("{:>8}", sweep);
-    up += fmt::format("{:>8.4f}", stack.error[sweep]);
-  }
-  lesson.print(header);
-  lesson.print(up);
-  std::string exact;
-  for (const double weight : stack.exact) exact += fmt::format("{}{:g}", exact.empty() ? "" : ", ", weight);
-  lesson.print(fmt::format("  in the end λ = ({}) N; from the top down λ_i comes i − 1 sweeps later", exact));
-  lesson.print();
 }
 
 void print_rod(Lesson& lesson, const SweepRun& run) {
@@ -131,35 +94,13 @@ void print_intervals(Lesson& lesson) {
   lesson.print();
 }
 
-void check_stack(Lesson& lesson, const SweepRun& run) {
-  const StackRun& stack = run.stack;
-  // b_1 is one difference and one quotient; each of the updates adds a few roundings of the largest lambda.
-  const double rounding = 4 * epsilon * stack.up.updates.size() * stack.exact[0];
-  const double loops = std::max({stack.up.gap, stack.down.gap, stack.unbounded.gap}) / rounding;
-  lesson.check_small(
-      "the loop of lesson.cpp = the library's solver (gap / allowed rounding)",
-      std::max(loops, std::max(run.rod.bounded.gap, run.rod.unbounded.gap) / rounding_of(run.rod)), 1);
-  double gap = 0;
-  for (int sweep = 0; sweep <= 3; ++sweep) {
-    const PerRow<double>& lambda = stack.up.by_sweep[sweep];
-    gap = std::max(gap, largest_gap(lambda, counted_lambda(run, sweep)));
-  }
-  lesson.check_small("three sweeps, counted in whole numbers: halves of sums (N)", gap, rounding);
-  const double factor = error_factor(run.settings.boxes);
-  // At the end a millionth of the other errors' decay is left, and 1e-10 of rounding.
-  lesson.check_equal(fmt::format("a sweep leaves cos²(π/{}) of the error", 2 * run.settings.boxes),
-                     measured_error_factor(run.settings), factor, 1e-6);
-  // The very same numbers are added, and zeros: not even rounding differs.
-  lesson.check_small("top down: λ_i comes i − 1 sweeps later than ground up (N)", order_gap(stack), 0);
-  lesson.check_small("no λ would pull here: with and without clamp, the same λ (N)",
-                     largest_gap(stack.up.by_sweep.back(), stack.unbounded.by_sweep.back()), 0);
-}
-
 void check_rod(Lesson& lesson, const SweepRun& run) {
   const RodRun& rod = run.rod;
   const PerRow<double>& lambda = rod.settled.after.back();
   const double largest = std::max(std::abs(rod.statics[0]), rod.statics[1]);
   const double rounding = rounding_of(rod);
+  lesson.check_small("the loop of lesson.cpp = the library's solver, sweep for sweep (N)",
+                     std::max(rod.bounded.gap, rod.unbounded.gap), rounding);
   const PerRow<double>& pulled = rod.unbounded.after.back();
   // (enough sweeps leave 1e-17 of a first error that is no larger than twice the largest lambda)
   lesson.check_small("without clamp: forces and moments of statics (N)",
@@ -189,8 +130,6 @@ void check_rod(Lesson& lesson, const SweepRun& run) {
 CsvTable updates_table(const SweepRun& run) {
   CsvTable table{
       .header = {"system", "sweep", "row", "a_ii", "jv", "lambda_corr", "lambda_old", "lambda_new"}};
-  append_rows(table, "stack", run.stack.up, run.settings.dt);
-  append_rows(table, "stack_down", run.stack.down, run.settings.dt);
   append_rows(table, "rod", run.rod.bounded, run.settings.dt);
   append_rows(table, "rod_unbounded", run.rod.unbounded, run.settings.dt);
   return table;

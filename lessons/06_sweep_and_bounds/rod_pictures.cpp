@@ -169,7 +169,7 @@ void draw_rod_update(Page& page, const SweepRun& run, int k) {
 /// w = A lambda - b of both rows, beside lambda.
 void draw_complement(Page& page, const SweepRun& run) {
   const RodRun& rod = run.rod;
-  const PlaneView view{.way = way_of(rod.bounded, rod.bounded.after.size()), .levels = true};
+  const PlaneView view{.way = way_of(rod.bounded, rod.bounded.after.size())};
   const Rect rest = draw_rod_moment(page, run, {.lambda = pair_of(rod.settled.after.back())}, view);
   TableView table;
   table.header = {"row", "λ (N)", "w = A λ − b (m/s²)", "λ w"};
@@ -178,11 +178,7 @@ void draw_complement(Page& page, const SweepRun& run) {
     table.rows.push_back({fmt::format("{}", i + 1), brief(lambda), brief(rod.leaving[i]), "0"});
   }
   table.active_row = rod.tips() ? 0 : -1;
-  const List<Rect> parts = in_rows(page, rest, {0.56, 0.44});
-  page.table(parts[0], "A contact pushes, or it opens; never both", table);
-  page.note(parts[1], "",
-            "The ellipses are level curves of ½ λ·A λ − b·λ. The answer is the lowest point of that function "
-            "in front of the wall.");
+  page.table(rest, "A contact pushes, or it opens; never both", table);
 }
 
 std::string answer_text(const RodRun& rod) {
@@ -204,7 +200,7 @@ Shot rod_update_shot(const SweepRun& run, int k, int first_cut) {
                              update.sweep, update.row + 1, swept.after[k][0], swept.after[k][1],
                              is_cut(update) ? ", the row having been clamped" : ""),
           .draw = [&run, k](Page& page) { draw_rod_update(page, run, k); },
-          .key = k == 1 || k == first_cut || k == first_cut + 1};
+          .key = k == first_cut};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is done with the two systems, and other accounts of both.
+// What is done with the rod, and other accounts of it.
 #include "lesson.hpp"
 
 namespace cairn::sweeps {
@@ -8,23 +8,6 @@ namespace {
 VelocityProblem<double> without_bounds(VelocityProblem<double> problem) {
   for (ConstraintRow<double>& row : problem.rows) row.bounds = Bounds<double>::equality();
   return problem;
-}
-
-double largest_error(const PerRow<double>& lambda, const PerRow<double>& exact) {
-  double largest = 0;
-  for (int i = 0; i < exact.size(); ++i) largest = std::max(largest, std::abs(lambda[i] - exact[i]));
-  return largest / exact[0];
-}
-
-StackRun run_stack(const SweepSettings& settings) {
-  const VelocityProblem<double> problem = stack_problem(settings);
-  StackRun run{.system = system_matrices(problem),
-               .up = swept(problem, settings.sweeps),
-               .down = swept(problem, settings.sweeps, RowOrder::reverse),
-               .unbounded = swept(without_bounds(problem), settings.sweeps)};
-  for (int i = 0; i < settings.boxes; ++i) run.exact.push_back((settings.boxes - i) * gravity);
-  for (const PerRow<double>& lambda : run.up.by_sweep) run.error.push_back(largest_error(lambda, run.exact));
-  return run;
 }
 
 /// The rod on two wedges, and half a second of what it does: for pictures.
@@ -98,34 +81,7 @@ Swept recorded(const SweepRecorder<double>& recorder, double dt) {
 }
 
 SweepRun run_sweeps(const SweepSettings& settings) {
-  return {.settings = settings, .stack = run_stack(settings), .rod = run_rod(settings)};
-}
-
-PerRow<double> counted_lambda(const SweepRun& run, int sweep) {
-  const long long unit = 1LL << 30;
-  const int n = run.settings.boxes;
-  List<long long> count(n + 2, 0);  // with a zero below the first and above the last
-  for (int k = 0; k < sweep; ++k) {
-    for (int i = 1; i <= n; ++i) count[i] = i == 1 ? unit + count[2] : (count[i - 1] + count[i + 1]) / 2;
-  }
-  PerRow<double> lambda;
-  for (int i = 1; i <= n; ++i)
-    lambda.push_back(gravity * static_cast<double>(count[i]) / static_cast<double>(unit));
-  return lambda;
-}
-
-double error_factor(int boxes) {
-  const double c = std::cos(pi / (2 * boxes));
-  return c * c;
-}
-
-double measured_error_factor(const SweepSettings& settings) {
-  // Until a millionth of the error is left: far above rounding, long after the other errors.
-  const int sweeps = static_cast<int>(std::ceil(std::log(1e-6) / std::log(error_factor(settings.boxes))));
-  SweepSettings longer = settings;
-  longer.sweeps = sweeps;
-  const StackRun run = run_stack(longer);
-  return run.error[sweeps] / run.error[sweeps - 1];
+  return {.settings = settings, .rod = run_rod(settings)};
 }
 
 List<Interval> kinds_of_rows() {

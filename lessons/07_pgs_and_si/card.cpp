@@ -8,8 +8,7 @@ const LessonCard lesson07(
      .name = "pgs_and_si",
      .title = "PGS and SI",
      .idea = "PGS solves A λ = b and looks at no velocity; SI looks at velocities and builds no A. What does "
-             "each "
-             "of them know that the other does not?",
+             "each of them know that the other does not?",
      .paper = "paper 4.1, eq (24)-(29)",
      .equations = {"(26)  v = v̄ + M⁻¹ Jᵀ η Δt                          what SI keeps up to date",
                    "(27)  η_i ← η_i + (ζ − j·v) / (j M⁻¹ jᵀ Δt)        one update of SI",
@@ -19,17 +18,15 @@ const LessonCard lesson07(
      .reads = {"src/solvers/iterative/projected_gauss_seidel.cpp",
                "src/solvers/iterative/sequential_impulse.cpp"},
      .question =
-         "PGS and SI solve the same 20 random rows from λ\u00a0=\u00a00, row after row in the same order. "
-         "SI "
-         "looks at the newest velocities at each visit, PGS at none until the end. After "
-         "ten sweeps PGS is still off by 69\u00a0% of the largest λ. By how many per cent is SI off?",
-     .spoilers = {"5.8", "one algorithm"},
-     .unasked = {"sweeps"},
-     .wrong = {{{0},
-                {68.7},
-                "SI looks at the newest velocities, but PGS looks at the newest λ. What do those velocities "
-                "hold?"},
-               {{70}, {100}, "SI has no A. But do the velocities that it reads hold less?"}},
+         "PGS and SI begin with λ\u00a0=\u00a00 and visit the same 20 random rows in the same order. After "
+         "ten sweeps, how many times as large is the largest error of PGS as that of SI? (3: PGS is "
+         "three times as far off; below 1: SI is farther off.)",
+     .spoilers = {"69 %", "one algorithm"},
+     .unasked = {"sweeps", "seed"},
+     .wrong = {{{1.1},
+                {1000},
+                "SI reads the newest velocities, but PGS reads the newest λ. What changed those velocities?"},
+               {{0}, {0.9}, "SI reads two bodies only. But which rows have pushed these two?"}},
      .hints = {"Both make one λ right, row after row. What does each of them look at for that?",
                "By (26) the velocities of SI hold all λ that have been given so far.",
                "J_i v = J_i v̄ + A_i η Δt: with that (27) becomes (28)."},

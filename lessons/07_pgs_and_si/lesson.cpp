@@ -34,7 +34,6 @@ double by_29(const SystemMatrices<double>& system, const PerRow<double>& eta, in
   return (-all + a_ii * eta[i]) / a_ii + system.b(i) / a_ii;
 }
 
-// [sweep]
 /// One sweep of both. PGS has its η and A; SI has its η and the velocities, and never sees A.
 List<RowStep> sweep_both(VelocityProblem<double> si, const SystemMatrices<double>& system) {
   PerRow<double> eta_pgs(si.row_count(), 0.0), eta_si = eta_pgs;
@@ -46,14 +45,15 @@ List<RowStep> sweep_both(VelocityProblem<double> si, const SystemMatrices<double
     step.by_28 = by_28(system, eta_pgs, i);
     step.by_29 = by_29(system, eta_pgs, i);
 
+    // [update]
     eta_pgs[i] = step.pgs = one_sided ? std::max(step.by_28, 0.0) : step.by_28;
     eta_si[i] = step.si = one_sided ? std::max(step.by_27, 0.0) : step.by_27;
     apply_impulse(si, si.rows[i], (step.si - step.eta) * si.dt);  // SI pushes immediately: (26) holds again
+    // [/update]
     steps.push_back(step);
   }
   return steps;
 }
-// [/sweep]
 
 void run(Lesson& lesson) {
   const TwiceSettings settings{.sweeps = lesson.whole("sweeps"),
@@ -66,9 +66,8 @@ void run(Lesson& lesson) {
   tell_first_sweep(lesson, twice);
   tell_precisions(lesson, twice);
   lesson.answer(
-      {twice.si_off}, 0.6,  // the question rounds it
-      "Exactly as far as PGS, after every sweep: they are one algorithm, and only rounding tells them "
-      "apart.");
+      {twice.pgs_off / twice.si_off}, 0.05,
+      "The errors are equal after every sweep: both are one algorithm, and only rounding tells them apart.");
   check_claims(lesson, twice);
   check_masses(lesson, twice);
   lesson.film(twice_shots(twice));

@@ -53,8 +53,9 @@ struct TwiceRun {
   int at_bound = 0;           // rows that end at lambda = 0
   double pgs_off = 0;         // [%] largest error of any lambda after asked_sweeps, of the largest lambda
   double si_off = 0;
-  PerRow<double> exact = {};  // where both end, lambda [N]
-  double entries = 0;         // of an average row of A that are not 0
+  List<double> backwards = {};  // [N] largest difference to SI of PGS from the last row to the first,
+                                // after 1, 10, 100 ... sweeps of both
+  PerRow<double> exact = {};    // where both end, lambda [N]
 };
 
 inline constexpr int asked_sweeps = 10;  // that the question is about

@@ -137,15 +137,29 @@ double off_after_asked(VelocityProblem<double> problem, const PerRow<double>& ri
   return 100 * error / largest;
 }
 
-/// How far each is from where both end, and how full A is.
+/// Largest difference of any lambda [N] after as many sweeps of SI, and of PGS that visits the last row
+/// first.
+double backwards(VelocityProblem<double> problem, int sweeps) {
+  VelocityProblem<double> reversed = problem;
+  std::ranges::reverse(reversed.rows);
+  SequentialImpulse<double>({.iterations = sweeps}).solve(problem);
+  ProjectedGaussSeidel<double>({.iterations = sweeps}).solve(reversed);
+  const int rows = problem.row_count();
+  double largest = 0;
+  for (int i = 0; i < rows; ++i)
+    largest = std::max(largest, std::abs(problem.impulse[i] - reversed.impulse[rows - 1 - i]));
+  return largest / problem.dt;
+}
+
+/// How far each is from where both end.
 void ask(TwiceRun& run) {
   VelocityProblem<double> settled = run.problem;
   SequentialImpulse<double>({.iterations = 20000}).solve(settled);
   run.pgs_off = off_after_asked<ProjectedGaussSeidel<double>>(run.problem, settled.impulse);
   run.si_off = off_after_asked<SequentialImpulse<double>>(run.problem, settled.impulse);
+  for (const int sweeps : {1, 10, 100, 1000}) run.backwards.push_back(backwards(run.problem, sweeps));
   run.exact = settled.impulse;
   for (double& lambda : run.exact) lambda /= run.problem.dt;
-  run.entries = static_cast<double>((run.system.A.array() != 0).count()) / run.problem.row_count();
 }
 
 }  // namespace

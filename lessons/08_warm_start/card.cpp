@@ -18,20 +18,26 @@ const LessonCard lesson08(
      .reads = {"src/world/world.cpp", "src/constraints/row.hpp"},
      .question =
          "A tower of 10 boxes does 50 sweeps in each step, always from zero. In 300 steps its top sinks "
-         "by "
-         "559\u00a0mm. Now let each step start from the impulses of the last one. How few sweeps a step keep "
-         "the "
-         "top above that mark, for all 300 steps?",
-     .spoilers = {"184", "single warm sweep", "0.9755"},
+         "by 559\u00a0mm. Now each step begins with the impulses of the last one, and does one sweep. How "
+         "deep is the top after 300 steps: about 5000, 560, 180 or 20\u00a0mm?",
+     .spoilers = {"184", "322", "0.9755"},
      .unasked = {"boxes", "sweeps", "steps", "dt"},  // the question has their numbers
-     .wrong = {{{2},
-                {49},
-                "Fewer will do: the impulses stay, so the sweeps of all steps work on one "
-                "answer."},
-               {{50}, {1000}, "So many are needed if each step begins from zero. Here the impulses stay."}},
+     .wrong =
+         {{{0},
+           {155},
+           "In the end the impulses are right, and the tower stands. But what happens until they have "
+           "grown?"},
+          {{220},
+           {1000},
+           "That makes one warm sweep worth fifty cold ones. But the cold tower sinks on for ever; does "
+           "the warm one?"},
+          {{1001},
+           {100000},
+           "So it would be if each step began from zero. But a sweep goes on where the last one ended: 300 "
+           "sweeps work on one answer."}},
      .hints = {"Warm or cold, a sweep leaves the same share of an error. What differs is the error it finds.",
                "Cold, each of the 300 steps begins with an error of 100 % and throws its 50 sweeps away.",
-               "Warm, the sweeps of 300 steps work on one answer. One answer takes some 200 sweeps."},
+               "Warm, the load takes about ten steps to reach 100 N. How far does a box fall in so long?"},
      .parameters = {{"boxes", 10, 3, 20, "", "boxes of 1 kg in the tower", Parameter::Kind::whole},
                     {"sweeps", 10, 1, 50, "", "sweeps in each step", Parameter::Kind::whole},
                     {"steps", 120, 60, 300, "", "steps of each run", Parameter::Kind::whole},

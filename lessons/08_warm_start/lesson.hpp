@@ -63,8 +63,7 @@ struct WarmStart {
   StartRun cold = {};
   StartRun warm = {};
   StartRun many_cold = {};  // with many_sweeps, for question_steps
-  StartRun few_warm = {};   // with so few sweeps that it just never sinks so far
-  int few = 0;
+  StartRun one_warm = {};   // with one sweep, for as many steps
   GuestRun guest = {};
   List<ColdSweeps> sweeps = {};  // of 3, 5, 10 and 20 boxes
   LibraryRun library = {};
@@ -80,7 +79,7 @@ LibraryRun run_library(const StartSettings& settings);
 /// One step from zero, until the lowest contact lacks wanted_error, and some sweeps more.
 ColdSweeps sweep_cold(int boxes, double dt);
 
-/// What so few warm sweeps cost: while their top is deeper than that of many cold ones.
+/// What one warm sweep a step costs: while its top is deeper than that of many cold ones.
 struct Price {
   int deeper = 0;   // steps
   int last = 0;     // of these
@@ -106,13 +105,6 @@ ColdTheory cold_by_matrix(const StartSettings& settings);
 double share_left(int boxes, double sweeps);
 /// A cold start's sweeps to `wanted_error`: what is left of the slowest mode, which is 8/pi^2 of the error.
 double needed_by_formula(int boxes);
-/// 1 - 8/pi^2 rho^(s k/2) cos(k phi), cos phi = rho^(s/2), s sweeps: the warm load on the lowest contact
-/// after k steps over the weight, if there were no mode but the slowest.
-double warm_mode(const StartSettings& settings, int step);
-/// The same share of the weight after each step, from the rule e_{k+1} = rho^s (2 e_k - e_{k-1}) itself, with
-/// e_0 = 8/pi^2 and e_1 = rho^s e_0.
-List<double> warm_rule(const StartSettings& settings);
-
 /// The largest |load - weight| of the lowest contact in the last quarter of the steps [N].
 double unrest(const List<List<double>>& loads, double weight);
 
@@ -128,11 +120,11 @@ void tell_order(Lesson& lesson, const WarmStart& all);
 void check_claims(Lesson& lesson, const WarmStart& all);
 CsvTable table_of(const WarmStart& all);
 
-/// Two towers side by side, what the error does, and a ball that shifts all rows.
+/// Two towers side by side, and a ball that shifts all rows.
 List<Shot> start_shots(const WarmStart& all);
 
-/// Their last part: charts of the error, and what becomes of impulses in the wrong place.
-List<Shot> order_shots(const WarmStart& all);
+/// What becomes of impulses in the wrong place.
+Shot order_shot(const WarmStart& all);
 
 /// Cold, warm, and impulses that come to the wrong row.
 FixedList<SeriesStyle, 3> start_styles(const Theme& theme);

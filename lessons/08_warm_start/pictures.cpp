@@ -125,18 +125,14 @@ void draw_step(Page& page, const WarmStart& all, int frame) {
 void draw_asked(Page& page, const Rect& rect, const WarmStart& all, bool is_warm) {
   const double boxes = all.settings.boxes, sunk = -risen(all.many_cold, question_steps);
   const SeriesStyle style = start_styles(page.theme())[is_warm ? 1 : 0];
-  const Rect view =
-      draw_solver_panel(page, rect, style, is_warm ? "warm, ? sweeps" : all.many_cold.name,
-                        fmt::format("{}−{:.0f} mm{}", is_warm ? "above " : "top ", sunk, is_warm ? "?" : ""));
-  const StartRun& run = is_warm ? all.few_warm : all.many_cold;
+  const Rect view = draw_solver_panel(page, rect, style, is_warm ? all.one_warm.name : all.many_cold.name,
+                                      is_warm ? "top −? mm" : fmt::format("top −{:.0f} mm", sunk));
+  const StartRun& run = is_warm ? all.one_warm : all.many_cold;
   const int frame = is_warm ? 0 : question_steps;
   const Camera camera =
       draw_tower_loads(page, view, run.frames[frame], run.loads[frame],
                        {.box_weight = gravity, .largest = 1.2 * all.settings.weight(), .color = style.color});
   draw_start_line(page, camera, boxes);
-  const double mark = boxes - 0.001 * sunk;
-  page.canvas().line(camera.project({-1.1, mark}), camera.project({-0.6, mark}),
-                     {.width = page.sizes().curve, .color = page.theme().normal});
   const List<std::string> lines =
       is_warm ? List<std::string>{"step 1: from zero,", "then from the last", "one's impulses"}
               : List<std::string>{"each step begins", "from zero", "bar: load", "tick: to carry"};
@@ -158,15 +154,15 @@ void draw_tops(Page& page, const Rect& rect, const WarmStart& all) {
     plot.series.push_back(over_steps(run.name, style, tops));
   };
   add(all.many_cold, styles[0]);
-  add(all.few_warm, styles[1]);
+  add(all.one_warm, styles[1]);
   draw_plot(page, rect, plot);
 }
 
 QuestionFrame asked(const WarmStart& all) {
   return {.state = fmt::format("after {} steps, and before the first", question_steps),
           .alt = fmt::format(
-              "A tower of {} boxes has sunk with {} cold sweeps in each step. Another, which begins "
-              "each step with the impulses of the last, has to stay above that mark.",
+              "A tower of {} boxes has sunk with {} cold sweeps in each step. Another begins each step with "
+              "the impulses of the last, does one sweep, and has not begun to sink.",
               all.settings.boxes, many_sweeps),
           .scene = [&all](Page& page, const Rect& rect) {
             const List<Rect> parts = in_columns(page, rect, {1, 1});
@@ -181,13 +177,12 @@ QuestionFrame answered(const WarmStart& all) {
     const List<Rect> parts = in_rows(page, rect, {{0.5, {1, 1}}, 0.5});
     const FixedList<SeriesStyle, 3> styles = start_styles(page.theme());
     draw_start(page, parts[0], all, question_steps, {all.many_cold, styles[0], all.many_cold.name, true});
-    draw_start(page, parts[1], all, question_steps, {all.few_warm, styles[1], all.few_warm.name});
+    draw_start(page, parts[1], all, question_steps, {all.one_warm, styles[1], all.one_warm.name});
     draw_tops(page, parts[2], all);
   };
-  return {
-      .state = fmt::format("after {} steps", question_steps),
-      .alt = fmt::format("Both towers at the end, how they sank, and the answer: {} in each step.", all.few),
-      .scene = draw};
+  return {.state = fmt::format("after {} steps", question_steps),
+          .alt = "Both towers at the end, how they sank, and the answer.",
+          .scene = draw};
 }
 
 LessonInfo card_for(const WarmStart& all) {
@@ -208,10 +203,9 @@ Shot step_shot(const WarmStart& all, int frame) {
 
 std::string answer_text(const WarmStart& all) {
   return fmt::format(
-      "{} sweep{}: {} mm in place of {}. The impulses stay, so the sweeps of {} steps work on one answer. "
+      "{} mm in place of {}. The tower falls until its impulses have grown, swings, and comes to rest. "
       "Cold, the loads are right at last, but the tower {}.",
-      all.few, all.few > 1 ? "s" : "", fixed(-risen(all.few_warm, question_steps), 0),
-      fixed(-risen(all.many_cold, question_steps), 0), question_steps,
+      fixed(-risen(all.one_warm, question_steps), 0), fixed(-risen(all.many_cold, question_steps), 0),
       motion_of(all.many_cold, question_steps));
 }
 
@@ -227,13 +221,13 @@ FixedList<SeriesStyle, 3> start_styles(const Theme& theme) {
 
 List<Shot> start_shots(const WarmStart& all) {
   const int last = all.settings.steps;
-  const std::set<int> keys = {1, 5, 10, last};
+  const std::set<int> keys = {5, last};
   List<Shot> shots = {question_shot(card_for(all), asked(all))};
   for (int k = 1; k <= last; ++k) {
     shots.push_back(step_shot(all, k));
     shots.back().key = keys.contains(k);
   }
-  for (Shot& shot : order_shots(all)) shots.push_back(std::move(shot));
+  shots.push_back(order_shot(all));
   shots.push_back(answer_shot(card_for(all), answered(all), answer_text(all)));
   return shots;
 }

@@ -91,19 +91,6 @@ double needed_by_formula(int boxes) {
   return std::log(8 / (pi * pi) / wanted_error) / -std::log(share_left(boxes, 1));
 }
 
-double warm_mode(const StartSettings& settings, int step) {
-  const double share = share_left(settings.boxes, settings.sweeps);
-  return 1 - 8 / (pi * pi) * std::pow(share, 0.5 * step) * std::cos(std::acos(std::sqrt(share)) * step);
-}
-
-List<double> warm_rule(const StartSettings& settings) {
-  const double share = share_left(settings.boxes, settings.sweeps);
-  List<double> missing = {8 / (pi * pi), share * 8 / (pi * pi)};
-  for (int k = 2; k <= settings.steps; ++k) missing.push_back(share * (2 * missing[k - 1] - missing[k - 2]));
-  for (double& share_missing : missing) share_missing = 1 - share_missing;
-  return missing;
-}
-
 double unrest(const List<List<double>>& loads, double weight) {
   double largest = 0;
   for (int k = loads.size() * 3 / 4; k < loads.size(); ++k) {

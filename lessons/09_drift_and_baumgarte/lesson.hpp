@@ -110,10 +110,10 @@ int highest_step(const DriftRuns& all);
 struct BallLook {
   int step = 0;           // with outlines of all the steps before of those that leave the ground
   bool speeds = false;    // no outlines: what each row of the next step asks for, and what its ball has
-  bool asks = false;      // how deep the balls are, and that we ask how high the one with beta = 1 comes
+  bool asks = false;      // how deep the ball is, and that we ask how high it comes
   bool measured = false;  // how high it is
 };
-/// The four balls side by side, in a panel.
+/// The balls side by side, in a panel.
 void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, const BallLook& look);
 
 /// "β = 0.2".

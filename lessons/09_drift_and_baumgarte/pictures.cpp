@@ -171,23 +171,23 @@ void draw_limits(Page& page, const DriftRuns& all) {
   page.table(rest, "", table);
 }
 
-/// How deep all balls are, and how high the one with beta = 1 comes: both, or the height alone.
+/// How deep the ball begins, and how high it comes: both, or the height alone.
 void draw_lengths(Page& page, const Camera& camera, const DriftRuns& all, const BallLook& look) {
-  const double x = ball_pitch * (all.balls.size() - 1), depth = all.settings.depth;
+  const double depth = all.settings.depth;
   TextStyle style{.size = 18, .color = page.theme().text, .bold = true, .halo = page.theme().panel};
   const Stroke stroke{.width = page.sizes().outline, .color = page.theme().text};
   if (look.measured) {
     const double peak = ball_of(all, 1).height[look.step];
-    draw_length(page, camera.project({x, 0}), camera.project({x, peak}), stroke);
-    page.canvas().text(camera.project({x + 0.05, 0.5 * peak}), significant(peak) + " m", style);
+    draw_length(page, camera.project({0.75, 0}), camera.project({0.75, peak}), stroke);
+    page.canvas().text(camera.project({0.8, 0.5 * peak}), significant(peak) + " m", style);
   }
   if (!look.asks) return;
-  const double beside = x + ball_radius + 0.08, top = 2 * ball_radius + 0.6;  // from the ground to where?
-  const FixedList<Point, 2> way = {camera.project({beside, 0}), camera.project({beside, top})};
+  const double top = camera.unproject({0, camera.viewport.y}).y();  // from the ground to where?
+  const FixedList<Point, 2> way = {camera.project({0.75, 0}), camera.project({0.75, top})};
   page.canvas().polyline(way, {.width = page.sizes().outline, .color = page.theme().text, .dash = {8, 6}});
   style.size = 20;
-  page.canvas().text(camera.project({x + 0.15, top - 0.3}), "? m", style);
-  const double between = x - 0.5 * ball_pitch;  // beside the ball of the question
+  page.canvas().text(camera.project({0.8, 0.8 * top}), "? m", style);
+  const double between = -0.75;  // beside the ball
   draw_length(page, camera.project({between, 0}), camera.project({between, -depth}), stroke);
   style.align = Align::center;
   style.halo = page.theme().static_body;
@@ -197,16 +197,20 @@ void draw_lengths(Page& page, const Camera& camera, const DriftRuns& all, const 
 }  // namespace
 
 void draw_balls(Page& page, const Rect& rect, const DriftRuns& all, const BallLook& look) {
-  const Rect inside = page.panel(
-      rect, look.speeds ? "β of each ball; before the push (m/s), grey: asked, blue: has" : "β of each ball");
+  const bool is_alone = all.balls.size() == 1;
+  const std::string title = is_alone ? "" : "β of each ball";
+  const std::string more = look.speeds ? "; before the push (m/s), grey: asked, blue: has" : "";
+  const Rect inside = page.panel(rect, title + more);
   const double right = ball_pitch * (all.balls.size() - 1);
   const double top = 2 * ball_radius + std::max(highest_peak(all), 0.0) + 0.1;
-  const double bottom = -0.35;  // [m] at the lower edge of the panel
-  Camera camera = fit(inside, {{-0.65, bottom}, {right + 0.65, top}});
+  const double bottom = -0.35;                  // [m] at the lower edge of the panel
+  const double beside = is_alone ? 1.2 : 0.65;  // [m] of room, for lengths
+  Camera camera = fit(inside, {{-beside, bottom}, {right + beside, top}});
   camera.center.y() = bottom + 0.5 * camera.viewport.height / camera.scale;
   if (!look.speeds) draw_ghosts(page, camera, flights(all, look.step));
   WorldLook world{.numbers = camera.scale >= 45, .names = {""}};
-  for (const BallRun& run : all.balls) world.names.push_back(fmt::format("{:g}", run.beta));
+  for (const BallRun& run : all.balls)
+    world.names.push_back(fmt::format("{}{:g}", is_alone ? "β = " : "", run.beta));
   draw_world(page, camera, balls_together(all, look.step), world);
   if (look.speeds) draw_speeds(page, camera, all, look.step);
   draw_lengths(page, camera, all, look);
@@ -219,7 +223,7 @@ int highest_step(const DriftRuns& all) {
 
 List<Shot> ball_shots(const DriftRuns& all) {
   const int last = last_step(all);
-  const std::set<int> keys = {1, 2, 10};
+  const std::set<int> keys = {2};
   const int stride = std::max(1, last / 80);
   List<Shot> shots;
   for (int step = 1; step <= last; ++step) {
@@ -235,10 +239,11 @@ List<Shot> ball_shots(const DriftRuns& all) {
 
 namespace {
 
+/// The ball of the question alone.
 QuestionFrame frame_of(const DriftRuns& all, const std::string& state, const std::string& alt,
                        const BallLook& look) {
   return {.state = state, .alt = alt, .scene = [&all, look](Page& page, const Rect& rect) {
-            draw_balls(page, rect, all, look);
+            draw_balls(page, rect, {.settings = all.settings, .balls = {ball_of(all, 1)}}, look);
           }};
 }
 
@@ -267,19 +272,17 @@ List<Shot> drift_shots(const DriftRuns& all) {
   List<Shot> shots = {question_shot(
       card(),
       frame_of(all, "before the first step",
-               fmt::format("Four balls with different β, each {:g} mm inside the ground, and the question "
-                           "how high the one with β = 1 comes",
+               fmt::format("A ball with β = 1, {:g} mm inside the ground, and the question how high it comes",
                            1000 * all.settings.depth),
                {.asks = true}))};
   for (const List<Shot>& part : {ball_shots(all), swing_shots(all)})
     shots.insert(shots.end(), part.begin(), part.end());
   const int highest = highest_step(all);
-  shots.push_back(answer_shot(
-      card(),
-      frame_of(all, fmt::format("step {} · answer", highest),
-               "The balls when the one with β = 1 is highest, its height measured, and the answer.",
-               {.step = highest, .measured = true}),
-      answer_text(all)));
+  shots.push_back(answer_shot(card(),
+                              frame_of(all, fmt::format("step {} · answer", highest),
+                                       "The ball where it is highest, its height measured, and the answer.",
+                                       {.step = highest, .measured = true}),
+                              answer_text(all)));
   return shots;
 }
 

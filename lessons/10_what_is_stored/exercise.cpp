@@ -14,6 +14,8 @@ struct RowBodies {
 class Rows {
  public:
   explicit Rows(const List<RowBodies>& rows) : rows_(rows) {}
+  Rows(const Rows&) = delete;
+  Rows& operator=(const Rows&) = delete;
 
   int size() const { return rows_.size(); }
   const RowBodies& operator[](int row) const {

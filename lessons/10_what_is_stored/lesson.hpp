@@ -1,4 +1,4 @@
-// Lesson 10. Pyramids and what solvers keep of them; and rows on which eq. (30) counts too few or too many.
+// Lesson 10. Pyramids, and what solvers keep of them.
 #pragma once
 
 #include "lessons/kit/kit.hpp"
@@ -43,15 +43,6 @@ struct Kept {
   PerRow<double> impulse = {};  // [N s]
 };
 
-/// Two rows for which (30) and A disagree, or not.
-struct PairCase {
-  std::string title = {};
-  VelocityProblem<double> problem = {};  // two rows
-  double printed = 0;                    // J_1 . J_2
-  double coupling = 0;                   // J_1 M^-1 J_2^T [1/kg]
-  Snapshot snapshot = {};                // with the two contacts
-};
-
 struct StoredRun {
   StoredSettings settings = {};
   List<Count> pyramids = {};                    // of base 3, 5, 10 and the one asked for
@@ -61,7 +52,6 @@ struct StoredRun {
   Count tray = {};       // boxes that all stand on one body
   VelocityProblem<double> tray_problem = {};
   Snapshot tray_snapshot = {};
-  List<PairCase> cases = {};
 };
 
 /// A pyramid without friction, gravity just applied.
@@ -73,8 +63,6 @@ Scene tray_scene(int boxes);
 inline constexpr int boxes_on_tray = 99;
 /// How a scene begins, with the contacts that it has after a step.
 Snapshot with_contacts(const Scene& scene);
-/// Three pairs: (30) misses an entry; counts one that is zero; counts the ground.
-List<PairCase> pair_cases();
 
 /// By counting boxes: two rows for each overlap, 4 of them on the sides of most boxes.
 double rows_by_formula(int base);
@@ -83,9 +71,8 @@ double pairs_by_formula(int base);
 /// Entries of a matrix that are not zero but for rounding: 1e-12 of its largest.
 double count_entries(const Eigen::MatrixXd& matrix);
 
-enum class Entry { zero = 0, printed_only = -1, true_entry = 1, missed = 2 };
-/// For every pair of rows: whether it is in A, and whether (30) as printed counts it.
-List<List<Entry>> pattern(const VelocityProblem<double>& problem);
+/// For every pair of rows: whether it is in A.
+List<List<char>> pattern(const VelocityProblem<double>& problem);
 
 /// "312.5 KiB"
 std::string bytes_text(double bytes);
@@ -95,18 +82,16 @@ std::string bytes_text(double bytes);
 void tell_scene(Lesson& lesson, const StoredRun& run);
 void tell_counts(Lesson& lesson, const StoredRun& run);
 void tell_kept(Lesson& lesson, const StoredRun& run);
-void tell_cases(Lesson& lesson, const StoredRun& run);
 /// What A costs before the first sweep, and what a sweep reads.
 void tell_building(Lesson& lesson, const StoredRun& run);
 void check_building(Lesson& lesson, const StoredRun& run);
 void check_claims(Lesson& lesson, const StoredRun& run);
 CsvTable table_of(const StoredRun& run);
 
-/// Which rows meet, the pattern of A, a pair on which (30) errs, and what it all costs.
+/// Which rows meet, the pattern of A, and what is kept of it.
 List<Shot> stored_shots(const StoredRun& run);
 
-/// Their parts: a pair of rows for which (30) and A disagree, and charts.
-Shot case_shot(const StoredRun& run);
+/// Their last part: the memory, and the tray.
 List<Shot> cost_shots(const StoredRun& run);
 
 /// A panel with the pattern of A as large as `rect` allows. Returns the square.

@@ -1,4 +1,4 @@
-// Prints the counts, what solvers keep and the three pairs, and checks them by formulas.
+// Prints the counts and what solvers keep, and checks them by formulas.
 #include "lesson.hpp"
 
 #include <cairn/solvers/body_rows.hpp>
@@ -98,19 +98,6 @@ void check_update(Lesson& lesson, const StoredRun& run) {
                      64 * epsilon * (scale + 1));
 }
 
-void check_cases(Lesson& lesson, const StoredRun& run) {
-  // Products of numbers of the size of 1; 1/3 and 1/6 are rounded.
-  const double rounding = 4 * epsilon;
-  const List<double> printed = {0, 5.0 / 3, -0.5};
-  const List<double> coupling = {-5.0 / 6, 0, 0};
-  double off = 0;
-  for (int i = 0; i < run.cases.size(); ++i) {
-    off = std::max(off, std::abs(run.cases[i].printed - printed[i]));
-    off = std::max(off, std::abs(run.cases[i].coupling - coupling[i]));
-  }
-  lesson.check_small("three pairs: J_1·J_2 = 0, 5/3, −1/2 and A_12 = −5/6, 0, 0", off, rounding);
-}
-
 void check_solvers(Lesson& lesson, const StoredRun& run) {
   const Count& tallest = run.pyramids.back();
   lesson.check_equal("SI keeps one number per row (bytes)", run.kept[0].bytes, 8 * tallest.rows, 0);
@@ -178,19 +165,10 @@ void tell_kept(Lesson& lesson, const StoredRun& run) {
   lesson.print();
 }
 
-void tell_cases(Lesson& lesson, const StoredRun& run) {
-  lesson.print("(30) and A, pair by pair             J_1 · J_2    J_1 M⁻¹ J_2ᵀ (1/kg)");
-  for (const PairCase& one : run.cases) {
-    lesson.print(fmt::format("  {:<32}{:>12.4f} {:>14.4f}", one.title, one.printed, one.coupling));
-  }
-  lesson.print();
-}
-
 void check_claims(Lesson& lesson, const StoredRun& run) {
   check_counts(lesson, run);
   check_building(lesson, run);
   check_update(lesson, run);
-  check_cases(lesson, run);
   check_solvers(lesson, run);
 }
 

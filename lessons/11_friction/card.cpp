@@ -19,9 +19,12 @@ const LessonCard lesson11(
                  "4.33 N at "
                  "both "
                  "corners together. How many newtons of it act at the lower corner?",
-     .spoilers = {"3.25", "6.50", "1.08", "three times", "26.57", "30.96"},
+     .spoilers = {"3.25", "6.50", "1.08", "three times"},
      .unasked = {"mu-rough", "mass"},
-     .wrong = {{{2.1},
+     .wrong = {{{1}, {1.2}, "So much acts at the upper corner. Onto which one does friction turn the block?"},
+               {{6.3}, {6.7}, "That is the load of the lower corner. Its friction is μ times that."},
+               {{4.2}, {4.5}, "Then the upper corner would carry nothing, and it does."},
+               {{2.1},
                 {2.2},
                 "Friction goes with the normal force, and that is not the same at both "
                 "corners."}},

@@ -5,11 +5,10 @@ namespace cairn::friction {
 
 namespace {
 
-/// One scale for all frames with forces, none of which is larger than the weight.
+/// The weight is as long as 1.6 sides of the block, so that the bounds of its two corners just stay apart.
 ArrowScale force_scale(const Camera& camera, const Slide& slide) {
-  ArrowScale scale = arrow_scale(0.75 * slide.slope.gravity * slide.block.mass, "N", camera);
-  scale.longest *= 2;
-  return scale;
+  const double longest = 1.6 * camera.scale;
+  return {longest / (slide.slope.gravity * slide.block.mass), longest, "N"};
 }
 
 struct Force {
@@ -41,6 +40,7 @@ void label_force(Page& page, const Camera& camera, const Rect& panel, const Arro
     places.push_back(tip + Point(size, -size));  // clear of the bracket that may stand at the tip
     places.push_back(tip + Point(side, 1.4 * size));
   }
+  if (value.x() > 0 && value.y() > 0) places.push_back(tip + Point(14, -0.5 * size));  // clear of the arm
   places.push_back(tip + Point(value.x() < 0 ? -width - 8 : 16, size / 3));
   places.push_back(tip + Point(side, -10));
   page.place_text(places, panel, force.text, style);
@@ -57,14 +57,25 @@ void draw_forces(Page& page, const Camera& camera, const Rect& panel, const Arro
 
 std::string newtons(const std::string& name, double value) { return name + " " + fixed(value, 2) + " N"; }
 
+/// The block, so large that its forces have room, and below it room for their key.
+Camera draw_block(Page& page, const Rect& rect, const Slide& slide) {
+  Rect inside = page.panel(rect, "");
+  inside.height -= 34;
+  const Vec2<double> middle = slide.frames[1].bodies[first_block].pose.position;
+  const Camera camera = fit(inside, {middle - Vec2<double>(1.1, 1.05), middle + Vec2<double>(1.25, 0.95)});
+  draw_world(page, camera, slide.frames[1], {.names = {"", "", ""}, .contacts = false});
+  return camera;
+}
+
 /// The slope with its angle, and the block upon it.
-Camera draw_slope(Page& page, const Rect& rect, const Slide& slide, const std::string& name) {
+Camera draw_slope(Page& page, const Rect& rect, const Slide& slide) {
   const Slope& slope = slide.slope;
   const Rect inside = page.panel(rect, "");
   const Vec2<double> foot(slope.length * std::cos(slope.angle), 0);
   const Camera camera =
       fit(inside, {{-0.3, -0.2}, {foot.x() + 0.1, slope.length * std::sin(slope.angle) + 0.9}});
-  draw_world(page, camera, slide.frames[1], {.names = {"", "", name}, .contacts = false});
+  draw_world(page, camera, slide.frames[1],
+             {.names = {"", "", significant(slide.block.mass) + " kg"}, .contacts = false});
   List<Point> arc;
   for (int i = 0; i <= 20; ++i) {
     const double angle = pi - slope.angle * i / 20;
@@ -93,7 +104,7 @@ void draw_arm(Page& page, const Camera& camera, const Slide& slide, const Vec2<d
 void draw_key(Page& page, const Rect& rect, const ArrowScale& scale) {
   const Point corner(rect.x + 16, rect.y + rect.height - 14);
   draw_scale_key(page, scale, corner);
-  page.canvas().text(corner + Point(120, 0), "[ ] at ± μ λ_{n}: the bounds of λ_{t}", page.label());
+  page.canvas().text(corner + Point(180, 0), "[ ] at ± μ λ_{n}: the bounds of λ_{t}", page.label());
 }
 
 }  // namespace
@@ -101,7 +112,7 @@ void draw_key(Page& page, const Rect& rect, const ArrowScale& scale) {
 void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corners) {
   const Snapshot& now = slide.frames[1];
   const bool solved = corners == Corners::solved;
-  const Camera camera = draw_slope(page, rect, slide, solved ? "" : significant(slide.block.mass) + " kg");
+  const Camera camera = solved ? draw_block(page, rect, slide) : draw_slope(page, rect, slide);
   const ArrowScale scale = force_scale(camera, slide);
   const Vec2<double> downhill = slide.slope.downhill();
   const Coulomb law = coulomb(slide.slope, slide.block);
@@ -124,8 +135,6 @@ void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corn
                       solved && contact.position.x() < middle.x()});
   }
   if (solved) {
-    forces.push_back({{.kind = ArrowKind::external, .tail = middle, .value = law.needed * downhill},
-                      newtons("m g sin α", law.needed)});
     draw_key(page, rect, scale);
     draw_arm(page, camera, slide, middle);
   }

@@ -8,7 +8,7 @@
 
 namespace cairn::friction {
 
-Scene slope_scene(const Slope& slope, const List<Block>& blocks) {
+Scene slope_scene(const Slope& slope, const Block& block) {
   Scene scene({.gravity = {0, -slope.gravity},
                .dt = slope.dt,
                .stabilization = {.policy = StabilizationPolicy::baumgarte}});
@@ -17,16 +17,13 @@ Scene slope_scene(const Slope& slope, const List<Block>& blocks) {
   scene.add({.type = BodyType::static_body,
              .shapes = {polygon({Vec2<double>(0, 0), foot, top})},
              .material = {.friction = 1}});
-  for (const Block& block : blocks) {
-    const Vec2<double> centre = top + block.from_top * slope.downhill() + 0.5 * slope.normal();
-    // A pair's mu is sqrt(mu_a mu_b), and the slope's is 1.
-    const double friction = block.friction * block.friction;
-    scene.add({.shapes = {box(1, 1)},
-               .position = centre,
-               .angle = -slope.angle,
-               .mass = block.mass,
-               .material = {.friction = friction}});
-  }
+  const Vec2<double> centre = top + block.from_top * slope.downhill() + 0.5 * slope.normal();
+  // A pair's mu is sqrt(mu_a mu_b), and the slope's is 1.
+  scene.add({.shapes = {box(1, 1)},
+             .position = centre,
+             .angle = -slope.angle,
+             .mass = block.mass,
+             .material = {.friction = block.friction * block.friction}});
   return scene;
 }
 
@@ -40,7 +37,7 @@ Coulomb coulomb(const Slope& slope, const Block& block) {
 }
 
 List<PerRow<double>> sweeps_by_hand(const Slope& slope, const Block& block) {
-  VelocityProblem<double> problem = World<double>(slope_scene(slope, {block})).velocity_problem();
+  VelocityProblem<double> problem = World<double>(slope_scene(slope, block)).velocity_problem();
   List<PerRow<double>> impulses = {problem.impulse};  // zeros: a cold start
   for (int sweep = 1; sweep <= slope.sweeps; ++sweep) {
     // [sweep]
@@ -66,7 +63,7 @@ List<PerRow<double>> sweeps_by_hand(const Slope& slope, const Block& block) {
 
 Slide slide(const Slope& slope, const Block& block) {
   Slide result{.slope = slope, .block = block};
-  World<double> world(slope_scene(slope, {block}));
+  World<double> world(slope_scene(slope, block));
   SequentialImpulse<double> solver({.iterations = slope.sweeps});
   SweepRecorder<double> first;
   look(world, result);

@@ -55,7 +55,7 @@ struct Slide {
   double largest_power = -std::numeric_limits<double>::infinity();  // [W] of friction; below 0: it brakes
 };
 
-Scene slope_scene(const Slope& slope, const List<Block>& blocks);
+Scene slope_scene(const Slope& slope, const Block& block);
 /// The impulses [N s] of all rows after each sweep of the first step, by the plain loop of lesson.cpp; 0:
 /// none.
 List<PerRow<double>> sweeps_by_hand(const Slope& slope, const Block& block);
@@ -69,19 +69,9 @@ void judge_rows(const World<double>& world, Slide& slide);
 /// Adds Box2D's account of the same slide, where this build has it.
 void ask_box2d(Slide& slide);
 
-/// How far each of several blocks on one slope has slid in the end [m], and what it looks like.
-struct Contest {
-  List<Snapshot> frames = {};  // the start and the end
-  List<double> ways = {};      // [m]
-};
-Contest contest(const Slope& slope, const List<Block>& blocks);
-
 enum class Engine { cairn, box2d };
 /// How far the block slides [m].
 double way_in(Engine engine, const Slope& slope, const Block& block);
-/// Its mean acceleration in the second half of the run [m/s^2], when the first step's unfinished sweeps are
-/// forgotten.
-double acceleration_in(Engine engine, const Slope& slope, const Block& block);
 /// The angle [rad] above which the block slides, bisected between `low` and `high`.
 double critical_angle(Engine engine, Slope slope, const Block& block, double low, double high);
 
@@ -99,20 +89,6 @@ struct StudySettings {
   double mass = 2;        // [kg] of its heavy twin; the others have 1 kg
 };
 
-/// Two blocks, one slippery and one rough, on a slope of `degrees`.
-struct Trial {
-  double degrees = 0;
-  Contest contest = {};
-};
-
-/// Accelerations over the angle, measured in both engines.
-struct Curve {
-  double friction = 0;  // mu
-  List<double> degrees = {};
-  List<double> cairn = {};  // [m/s^2]
-  List<double> box2d = {};  // empty without Box2D
-};
-
 /// The angle above which a block slides [degrees].
 struct Threshold {
   double friction = 0;  // mu
@@ -126,9 +102,7 @@ struct Study {
   Slide slippery = {};
   List<PerRow<double>> by_hand = {};  // its first step, sweep by sweep, without the solver
   Slide rough = {};
-  Slide heavy = {};  // the rough block with more mass
-  List<Trial> trials = {};
-  List<Curve> curves = {};          // slippery, rough
+  Slide heavy = {};                 // the rough block with more mass
   List<Threshold> thresholds = {};  // slippery, rough
 };
 
@@ -165,14 +139,14 @@ List<Shot> pictures(const Study& study);
 
 // The parts that pictures() puts together.
 
-/// The slide in two engines, four slopes, and the acceleration over the angle.
+/// The slide in two engines.
 List<Shot> slide_shots(const Study& study);
 
 // Forces on the block, drawn upon the slope.
 
 /// What is drawn at the two corners.
 enum class Corners { asked, solved };
-/// The friction of both corners: as a question, or with its bracket, the load, and what pulls the block down.
+/// The friction of both corners: as a question, or with its bracket and the load.
 void draw_corners(Page& page, const Rect& rect, const Slide& slide, Corners corners);
 
 }  // namespace cairn::friction

@@ -106,11 +106,10 @@ Shot force_shot(const Study& study, bool rough) {
   const Slide& slide = rough ? study.rough : study.slippery;
   const Coulomb law = coulomb(slide.slope, slide.block);
   return {.state = state_of(slide),
-          .alt = fmt::format(
-              "A block on a slope with the pull down the slope, {} N, and at each corner its load "
-              "and its friction inside the brackets of its limit. Together the loads are {} N, the "
-              "friction is {} N and its limit {} N.",
-              fixed(law.needed, 2), fixed(law.load, 2), fixed(law.given(), 2), fixed(law.limit, 2)),
+          .alt = fmt::format("A block on a slope, and at each corner its load and its friction inside the "
+                             "brackets of its limit. "
+                             "Together the loads are {} N, the friction is {} N and its limit {} N.",
+                             fixed(law.load, 2), fixed(law.given(), 2), fixed(law.limit, 2)),
           .draw =
               [&study, rough](Page& page) {
                 const Slide& shown = rough ? study.rough : study.slippery;
@@ -119,7 +118,7 @@ Shot force_shot(const Study& study, bool rough) {
                 draw_bars(page, parts[1], force_bars(page, study, shown));
                 page.equation(parts[2], limit_equation(shown));
               },
-          .key = true};
+          .key = rough};
 }
 
 /// The first step, sweep by sweep: bounds that move.

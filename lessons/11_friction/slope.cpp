@@ -9,9 +9,9 @@ double downhill_speed(const Slope& slope, const Snapshot& snapshot) {
   return slope.downhill().dot(snapshot.bodies[first_block].velocity.head<2>());
 }
 
-double downhill_way(const Slope& slope, const Snapshot& start, const Snapshot& now,
-                    BodyId body = first_block) {
-  return slope.downhill().dot(now.bodies[body].pose.position - start.bodies[body].pose.position);
+double downhill_way(const Slope& slope, const Snapshot& start, const Snapshot& now) {
+  return slope.downhill().dot(now.bodies[first_block].pose.position -
+                              start.bodies[first_block].pose.position);
 }
 
 List<Snapshot> cairn_run(const Scene& scene, const Slope& slope) {
@@ -26,7 +26,7 @@ List<Snapshot> cairn_run(const Scene& scene, const Slope& slope) {
 }
 
 List<Snapshot> run_in(Engine engine, const Slope& slope, const Block& block) {
-  const Scene scene = slope_scene(slope, {block});
+  const Scene scene = slope_scene(slope, block);
   return engine == Engine::cairn ? cairn_run(scene, slope) : box2d_run(scene, slope.steps, slope.sweeps);
 }
 
@@ -54,30 +54,13 @@ void judge_rows(const World<double>& world, Slide& slide) {
 void ask_box2d(Slide& slide) {
   if (!has_box2d()) return;
   const Slope& slope = slide.slope;
-  slide.box2d_frames = box2d_run(slope_scene(slope, {slide.block}), slope.steps, slope.sweeps);
+  slide.box2d_frames = box2d_run(slope_scene(slope, slide.block), slope.steps, slope.sweeps);
   for (const Snapshot& frame : slide.box2d_frames) slide.box2d_speed.push_back(downhill_speed(slope, frame));
-}
-
-Contest contest(const Slope& slope, const List<Block>& blocks) {
-  const List<Snapshot> frames = cairn_run(slope_scene(slope, blocks), slope);
-  Contest result;
-  result.frames = {frames.front(), frames.back()};
-  for (int i = 0; i < blocks.size(); ++i) {
-    result.ways.push_back(downhill_way(slope, frames.front(), frames.back(), {first_block.index + i}));
-  }
-  return result;
 }
 
 double way_in(Engine engine, const Slope& slope, const Block& block) {
   const List<Snapshot> frames = run_in(engine, slope, block);
   return downhill_way(slope, frames.front(), frames.back());
-}
-
-double acceleration_in(Engine engine, const Slope& slope, const Block& block) {
-  const List<Snapshot> frames = run_in(engine, slope, block);
-  const int half = frames.size() / 2;
-  const double gained = downhill_speed(slope, frames.back()) - downhill_speed(slope, frames[half]);
-  return gained / ((frames.size() - 1 - half) * slope.dt);
 }
 
 double critical_angle(Engine engine, Slope slope, const Block& block, double low, double high) {
@@ -101,45 +84,6 @@ Slope long_enough(Slope slope, const Block& block) {
   const double way = coulomb(slope, block).acceleration * time * (time + slope.dt) / 2;
   slope.length = std::max(slope.length, block.from_top + way + 1);
   return slope;
-}
-
-Trial trial(const StudySettings& settings, double degrees) {
-  Slope slope = settings.slope;
-  slope.angle = degrees * degree;
-  // The slippery block stands below the rough one, so that it has its way free.
-  const Block rough = {.friction = settings.rough, .from_top = 0.7};
-  const Block slippery = {.friction = settings.slippery, .from_top = 1.9};
-  slope = long_enough(slope, slippery);
-  return {.degrees = degrees, .contest = contest(slope, {rough, slippery})};
-}
-
-List<Trial> make_trials(const StudySettings& settings) {
-  const double first = std::atan(settings.slippery) / degree;
-  const double second = std::atan(settings.rough) / degree;
-  List<Trial> trials;
-  for (const double degrees :
-       {std::floor(first) - 1, std::ceil(first), std::floor(second), std::ceil(second)}) {
-    trials.push_back(trial(settings, std::max(1.0, degrees)));
-  }
-  return trials;
-}
-
-Curve make_curve(const StudySettings& settings, double friction) {
-  Curve curve = {.friction = friction};
-  const double first = std::max(2.0, std::atan(settings.slippery) / degree - 6);
-  const double last = std::atan(settings.rough) / degree + 5;
-  const int points = 12;
-  for (int i = 0; i < points; ++i) {
-    const double degrees = first + (last - first) * i / (points - 1);
-    Slope slope = settings.slope;
-    slope.angle = degrees * degree;
-    const Block block = {.friction = friction};
-    slope = long_enough(slope, block);
-    curve.degrees.push_back(degrees);
-    curve.cairn.push_back(acceleration_in(Engine::cairn, slope, block));
-    if (has_box2d()) curve.box2d.push_back(acceleration_in(Engine::box2d, slope, block));
-  }
-  return curve;
 }
 
 Threshold make_threshold(const Slope& slope, double friction) {
@@ -167,11 +111,8 @@ Study make_study(const StudySettings& settings) {
   study.by_hand = sweeps_by_hand(slope, slippery);
   study.rough = slide(slope, rough);
   study.heavy = slide(slope, heavy);
-  study.trials = make_trials(settings);
-  for (const double friction : {settings.slippery, settings.rough}) {
-    study.curves.push_back(make_curve(settings, friction));
+  for (const double friction : {settings.slippery, settings.rough})
     study.thresholds.push_back(make_threshold(slope, friction));
-  }
   return study;
 }
 
