@@ -18,25 +18,28 @@ const LessonCard lesson12(
      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                "tests/solvers/iterative/block_tests.cpp"},
      .question =
-         "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row, and 1 "
-         "with its weld as a block. Two beams take 110 row by row. How many do they take with a block for "
-         "each of their two welds: about 2, about 20, about 60, or all 110?",
-     .spoilers = {"61", "55 %", "326", "75 %", "zig-zag"},
+         "Beams in a chain, the first welded to a wall. With the three rows of each weld as a block, one "
+         "beam takes 6 % of the sweeps that it takes row by row, two beams 55 %, three beams 75 %. Which "
+         "share do ten beams take: about 10, 50, 75 or 97 %?",
+     .spoilers = {"41751", "no second beam", "zig-zag"},
      .unasked = {"angle", "inertia", "sweeps"},
-     .wrong = {{{1},
-                {49},
-                "So few would do if most of the conflict were within the welds. Much of it is between them: "
-                "what a block corrects at one weld, it spoils at the other."},
-               {{73},
-                {110},
-                "The first weld has rows that disturb each other much, and there a block "
-                "helps."}},
+     .wrong = {{{0},
+                {30},
+                "So little would be left if most of the coupling were within the welds. Every beam more adds "
+                "coupling between welds, where a block does not help."},
+               {{30},
+                {70},
+                "Three beams leave more already, and every further weld is coupled with its neighbours."},
+               {{70},
+                {91},
+                "That is about what three beams leave. The share has grown with every beam: what should end "
+                "that?"}},
      .hints =
          {"A block ends the conflict between the rows of one joint. Are there others, and are there "
           "more of them in a longer chain?",
           "To the other joints a block acts like a single row: it stops its own error and starts one "
-          "next door. One weld has no weld next door, and is right after one visit; two have each other.",
-          "A little more than half of the 110 sweeps remain."},
+          "next door. One weld has no weld next door, and is right after one visit; ten have nine pairs.",
+          "What is left grows with every beam: 6, 55, 75 %. It cannot grow above 100."},
      .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
                     {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},
                     {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},

@@ -89,14 +89,11 @@ void run(Lesson& lesson) {
   print_runs(lesson, all);
   const Savings savings = count_savings(all);
   print_savings(lesson, all, savings);
-  const ChainRun& asked = all.chains[welded_two];
-  const ChainRun& longer = all.chains[welded_three];
-  lesson.answer(
-      {1.0 * asked.blocks.sweeps}, 11,
-      fmt::format("{} of {} sweeps. A block ends the conflict between the rows of one joint. What is "
-                  "left is between the joints, and a longer chain has more of it: with three beams "
-                  "{} of {} sweeps are left.",
-                  asked.blocks.sweeps, asked.rows.sweeps, longer.blocks.sweeps, longer.rows.sweeps));
+  const ChainRun& asked = all.chains[welded_ten];
+  lesson.answer({share_left(asked)}, 5,
+                fmt::format("{} of {} sweeps are left. A block ends the coupling of the rows inside a joint. "
+                            "That between the joints stays, and every beam adds more of it.",
+                            asked.blocks.sweeps, asked.rows.sweeps));
   check_runs(lesson, all);
   check_savings(lesson, all, savings);
   lesson.film(blocks_shots(all));

@@ -164,8 +164,8 @@ List<Shot> bob_shots(const BlocksRuns& all);
 
 /// A chain before the first sweep.
 void draw_start(Page& page, const Rect& rect, const ChainRun& chain);
-/// The sweeps of one, two and three beams with blocks, as a part of those by rows; of the question, one and
-/// two, and what is asked for is left out.
+/// The sweeps of one, two, three and ten beams with blocks, as a part of those by rows; of the question the
+/// last is left out.
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked);
 
 /// Rows grey and dashed, blocks solid in the colour of sequential impulses.

@@ -188,7 +188,7 @@ List<Shot> rod_shots(const BlocksRuns& all) {
                          "of the zig-zag, and the pinned end moves at {:.4f} m/s.",
                          update.sweep, update.row + 1, update.after[0], update.after[1], update.slip.norm()),
          .draw = [&all, i](Page& page) { draw_update(page, all, i); },
-         .key = i == 2 || i == 5});
+         .key = i == 2});
   }
   shots.push_back(key_shot(
       all, "rod · the block · sweep 1",
@@ -199,26 +199,25 @@ List<Shot> rod_shots(const BlocksRuns& all) {
 /// The beams beside what is known of their sweeps, in the answer all of it.
 QuestionFrame question_frame(const BlocksRuns& all, bool asked) {
   const auto draw = [&all, asked](Page& page, const Rect& rect) {
-    const List<Rect> parts = in_columns(page, rect, List<Cut>{0.6, 0.4});
-    draw_start(page, parts[0], all.chains[asked ? welded_two : welded_three]);
+    const List<Rect> parts = in_rows(page, rect, {0.34, 0.66});
+    draw_start(page, parts[0], all.chains[welded_ten]);
     draw_sweep_bars(page, parts[1], all, asked);
   };
   return {.state = asked ? "before the first sweep" : "answer",
-          .alt = asked ? "Two beams, welded to each other and the first to a wall, bars of sweeps of which "
-                         "one is missing, and the question."
-                       : "Bars of the sweeps that are left with blocks, for one, two and three beams: more "
-                         "and more; and the answer.",
+          .alt = asked ? "Ten beams in a chain, the first welded to a wall; bars of the share of sweeps that "
+                         "blocks leave of one, two and three beams; and the question."
+                       : "Bars of the share of sweeps that blocks leave, of one, two, three and ten beams: "
+                         "more and more; and the answer.",
           .scene = draw,
           .place = ScenePlace::above};
 }
 
 std::string answer_text(const BlocksRuns& all) {
-  const ChainRun& two = all.chains[welded_two];
+  const ChainRun& ten = all.chains[welded_ten];
   return fmt::format(
-      "{} of {}, {} %, and with three beams {} %. A block removes the coupling inside a joint. That between "
-      "the joints stays.",
-      two.blocks.sweeps, two.rows.sweeps, fixed(share_left(two), 0),
-      fixed(share_left(all.chains[welded_three]), 0));
+      "{} %. A block ends the coupling inside its joint. The coupling between joints stays, and every beam "
+      "adds to it.",
+      fixed(share_left(ten), 0));
 }
 
 }  // namespace
