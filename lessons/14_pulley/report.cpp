@@ -17,6 +17,11 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
   lesson.print(fmt::format("  (22)  λ = ({:g} − ({})) / ({:.4f} × {:g}) = {:.4f} N, in one sweep",
                            row.bias + 0.0, fixed(jv, 3), inverse, all.settings.dt,
                            (row.bias - jv) / inverse / all.settings.dt));
+  ConstraintRow<double> two = row;
+  two.extra_count = 0;
+  lesson.print(fmt::format("  without the third mass: λ = {:.4f} N",
+                           (two.bias - row_velocity(all.first, two)) /
+                               inverse_effective_mass(all.first, two) / all.settings.dt));
   const Matrix<double> J = system_matrices(all.first).J;
   std::string line;
   for (Eigen::Index k = 0; k < J.cols(); ++k) line += fmt::format(" {:g}", J(0, k));
