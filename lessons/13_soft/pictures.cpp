@@ -10,7 +10,7 @@ const double rigid_x = 1.1;
 const double left_x = -0.5;
 const double right_x = 1.75;
 const double asked_right_x = 1.2;  // before the first step, with one weight
-const int most_frames = 75;  // of the motion
+const int most_frames = 75;        // of the motion
 
 int last_step(const SoftRuns& all) { return all.spring.steps.size() - 1; }
 

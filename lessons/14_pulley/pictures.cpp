@@ -248,11 +248,12 @@ List<Shot> pulley_shots(const PulleyRuns& all) {
       "Equation (22) for the row of the rope, filled in, and the answer of seven solvers.", draw_equation));
   for (int k = 2; k <= last; ++k) shots.push_back(step_shot(all, k, keys));
   const double tension = tension_by_hand(all.settings);
-  shots.push_back(answer_shot(card(), moment(all, 1),
-                              fmt::format("{} N, in one sweep: (22) has a third term in its sums, and nothing "
-                                          "else changes. Where the rope pulls with less than the weight, a "
-                                          "mass goes down.",
-                                          significant(tension))));
+  shots.push_back(
+      answer_shot(card(), moment(all, 1),
+                  fmt::format("{} N, in one sweep: (22) has a third term in its sums, and nothing "
+                              "else changes. Where the rope pulls with less than the weight, a "
+                              "mass goes down.",
+                              significant(tension))));
   return shots;
 }
 

@@ -19,9 +19,9 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
                            (row.bias - jv) / inverse / all.settings.dt));
   ConstraintRow<double> two = row;
   two.extra_count = 0;
-  lesson.print(fmt::format("  without the third mass: λ = {:.4f} N",
-                           (two.bias - row_velocity(all.first, two)) /
-                               inverse_effective_mass(all.first, two) / all.settings.dt));
+  lesson.print(fmt::format(
+      "  without the third mass: λ = {:.4f} N",
+      (two.bias - row_velocity(all.first, two)) / inverse_effective_mass(all.first, two) / all.settings.dt));
   const Matrix<double> J = system_matrices(all.first).J;
   std::string line;
   for (Eigen::Index k = 0; k < J.cols(); ++k) line += fmt::format(" {:g}", J(0, k));
