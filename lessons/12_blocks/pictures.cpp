@@ -29,19 +29,19 @@ void draw_pin_force(Page& page, const Camera& camera, const Pair& lambda, double
   for (const int row : {0, 1}) {
     if (!(lambda[row] > 0.05)) continue;
     render::Arrow arrow{.kind = ArrowKind::joint,
-                        .label = fmt::format("λ_{{{}}} = {}", row + 1, fixed(lambda[row], 2))};
+                        .label = fmt::format("λ_{{{}}} = {} N", row + 1, fixed(lambda[row], 2))};
     arrow.value[row] = lambda[row];
     draw_arrow(page, camera, scale, arrow);
   }
   draw_arrow(
       page, camera, scale,
-      {.kind = ArrowKind::external, .tail = {beside, 1.2}, .value = {0, -gravity}, .label = "m g = 10"});
+      {.kind = ArrowKind::external, .tail = {beside, 1.2}, .value = {0, -gravity}, .label = "m g = 10 N"});
 }
 
 void draw_rod(Page& page, const Rect& rect, const RodRun& rod, const RodMoment& moment) {
   const std::string speed = moment.slip.norm() < 1e-6 ? "0" : fixed(moment.slip.norm(), 3);
   const Rect inside =
-      page.panel(rect, fmt::format("pull of the pin (N), its end of the rod moves at {} m/s", speed));
+      page.panel(rect, fmt::format("pull of the pin; its end of the rod moves at {} m/s", speed));
   const double angle = rod.start.bodies[{1}].pose.angle;
   const Vec2<double> end = Vec2<double>(std::cos(angle), std::sin(angle)) * rod_length;
   const double beside = std::max(end.x(), 1.0) + 0.5;
