@@ -8,8 +8,8 @@ const LessonCard lesson12(
      .name = "blocks",
      .title = "What belongs together",
      .idea =
-         "The rows of one joint act on the same two bodies. Sequential impulses may solve them together, as "
-         "a block, and then they cannot work against each other.",
+         "Sequential impulses may solve the rows of a joint together, as a block. That saves what these rows "
+         "couple, and nothing of what couples one joint with another.",
      .paper = "paper 4.3, 4.4, 4.5",
      .equations = {"(22)  Aᵢᵢ Δλᵢ = (ζᵢ − jᵢ·v) / Δt             one row: a number to divide by",
                    "4.3   A_BB Δλ_B = (ζ_B − J_B v) / Δt          one joint: 2 rows of a pin, 3 of a weld",
@@ -18,28 +18,31 @@ const LessonCard lesson12(
      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                "tests/solvers/iterative/block_tests.cpp"},
      .question =
-         "Beams in a chain, the first welded to a wall. With the three rows of each weld as a block, one "
-         "beam takes 6 % of the sweeps that it takes row by row, two beams 55 %, three beams 75 %. Which "
-         "share do ten beams take: about 10, 50, 75 or 97 %?",
-     .spoilers = {"41751", "no second beam", "zig-zag"},
+         "Beams in a chain, the first welded to a wall. One beam takes 16 sweeps row by row, and 1 with the "
+         "three rows of its weld as a block: 6 %. Ten beams take 42967 sweeps row by row. Which share is "
+         "left with their ten welds as blocks: about 1, 6, 50 or 97 %?",
+     .spoilers = {"41751", "55 %", "no second beam", "zig-zag"},
      .unasked = {"angle", "inertia", "sweeps"},
-     .wrong = {{{0},
-                {30},
-                "So little would be left if most of the coupling were within the welds. Every beam more adds "
-                "coupling between welds, where a block does not help."},
-               {{30},
-                {70},
-                "Three beams leave more already, and every further weld is coupled with its neighbours."},
-               {{70},
-                {91},
-                "That is about what three beams leave. The share has grown with every beam: what should end "
-                "that?"}},
+     .wrong =
+         {{{0},
+           {3},
+           "Less would be left if the rows inside a weld were the harder to settle, the longer the chain "
+           "is. But there are always three. What grows with the chain?"},
+          {{3},
+           {30},
+           "Each weld is right after one visit, as that of one beam is. But the next weld makes it "
+           "wrong again, and its block does not know."},
+          {{30},
+           {91},
+           "A block does end a part of the coupling. How much of what ten beams couple is inside the "
+           "welds, and how much between one weld and the next?"}},
      .hints =
          {"A block ends the conflict between the rows of one joint. Are there others, and are there "
           "more of them in a longer chain?",
           "To the other joints a block acts like a single row: it stops its own error and starts one "
           "next door. One weld has no weld next door, and is right after one visit; ten have nine pairs.",
-          "What is left grows with every beam: 6, 55, 75 %. It cannot grow above 100."},
+          "Look at a weld in the middle: do its own three rows spoil each other, or does the next weld spoil "
+          "them?"},
      .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
                     {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},
                     {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},

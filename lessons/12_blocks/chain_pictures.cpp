@@ -90,7 +90,8 @@ void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
 
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked) {
   const Rect inside = page.panel(rect, "sweeps with blocks, as a share of those row by row");
-  const FixedList<int, 4> shown = {welded_one, welded_two, welded_three, welded_ten};
+  List<int> shown = {welded_one, welded_two, welded_three, welded_ten};
+  if (asked) shown = {welded_one, welded_ten};
   const double pitch = inside.height / shown.size();
   TextStyle numbers = page.value(), name = page.label();
   numbers.size = name.size = 1.2 * page.value().size;

@@ -48,7 +48,8 @@ Scene rod_scene(const BlocksSettings& settings) {
 
 RodRun run_rod(const BlocksSettings& settings) {
   const World<double> world(rod_scene(settings));
-  const VelocityProblem<double> problem = world.velocity_problem();
+  VelocityProblem<double> problem = world.velocity_problem();
+  problem.impulse[1] = rod_weight * settings.dt;
   RodRun run{.start = snapshot(world), .system = system_matrices(problem)};
   VelocityProblem<double> by_rows = problem;
   SweepRecorder<double> rows(SweepRecorder<double>::Detail::rows);
@@ -91,8 +92,8 @@ void run(Lesson& lesson) {
   print_savings(lesson, all, savings);
   const ChainRun& asked = all.chains[welded_ten];
   lesson.answer({share_left(asked)}, 5,
-                fmt::format("{} of {} sweeps are left. A block ends the coupling of the rows inside a joint. "
-                            "That between the joints stays, and every beam adds more of it.",
+                fmt::format("{} of {} sweeps are left. A block saves what the rows of its own joint couple. "
+                            "What couples one joint with another stays.",
                             asked.blocks.sweeps, asked.rows.sweeps));
   check_runs(lesson, all);
   check_savings(lesson, all, savings);
