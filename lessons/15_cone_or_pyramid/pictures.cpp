@@ -170,17 +170,20 @@ std::string answer_text(const Slides& all) {
   const Vec2<double> circle = all.circle.steps.back().place;
   const Vec2<double> square = all.square.steps.back().place;
   return fmt::format(
-      "{}\u00a0m, at {}\u00a0m: each axis stops by itself. With the vector clamped the puck goes {}\u00a0m, "
+      "At {1}\u00a0m, {0}\u00a0m from the start: each axis stops by itself. With the vector clamped the puck "
+      "goes "
+      "{2}\u00a0m, "
       "straight, in every direction. With the square turned along v there is no difference.",
       fixed(square.norm(), 2), pair_text(square, 2), fixed(circle.norm(), 2));
 }
 
-/// "circle: 2.45 m" beside its way.
+/// "circle: 2.45 m" beside its way, and below it the place where it ends.
 void draw_way(Page& page, const Camera& camera, const Slide& slide, double aside) {
   const bool is_circle = slide.shape == FrictionShape::circle;
   const Vec2<double> end = slide.steps.back().place;
   draw_dimension(page, camera, end, aside,
-                 fmt::format("{}: {:.2f} m", is_circle ? "circle" : "square", end.norm()),
+                 {fmt::format("{}: {:.2f} m", is_circle ? "circle" : "square", end.norm()),
+                  fmt::format("to {} m", pair_text(end, 2))},
                  limit_style(page, is_circle).color);
 }
 
@@ -197,7 +200,7 @@ void draw_question(Page& page, const Rect& rect, const Slides& all) {
   draw_way(page, camera, all.circle, 40);
   TextStyle asked =
       aligned(name_style(page, page.sizes().title, limit_style(page, false).color), Align::right);
-  page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
+  page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: (?, ?) m",
                      asked);
   draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});
 }
