@@ -177,7 +177,7 @@ void draw_block(Page& page, const BlocksRuns& all) {
                  .numbers = line(1),
                  .result = fmt::format("Δλ = ({}, {}) N", fixed(all.rod.by_block[1][0] - before.x(), 2),
                                        fixed(all.rod.by_block[1][1] - before.y(), 2)),
-                 .algorithm = "sweep 1 of the block: nothing left to do",
+                 .algorithm = "after sweep 1 nothing is left to do",
                  .color = style_of_blocks(page).color});
 }
 
