@@ -15,11 +15,10 @@ const LessonCard lesson14(
           "(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)                          with three terms in each sum"},
      .needs = {"lesson 03"},
      .reads = {"src/constraints/constraint.hpp", "src/constraints/row.hpp"},
-     .question =
-         "Masses of 1, 2 and 3 kg hang on one rope over wheels, and are let go. The rope is one row, "
-         "and its λ is the pull in each part. A solver with room for only two bodies in a row leaves "
-         "the third mass out, and finds λ = 3 · 10 / (1 + 2) = 10\u00a0N. What does the row find that "
-         "has all three masses?",
+     .question = "Masses of 1, 2 and 3 kg hang on one rope over wheels, and are let go. The rope is one row, "
+                 "and its λ is the pull in each part. A solver with room for only two bodies in a row leaves "
+                 "the third mass out, and finds λ = 10\u00a0N. What does the row find that has all three "
+                 "masses?",
      .spoilers = {"12 N", "heaviest falls", "6 m/s²"},
      .unasked = {"dt", "lift"},
      .wrong = {{{9.9}, {10.1}, "That is the row without the third mass. It pulls at the rope, too."},

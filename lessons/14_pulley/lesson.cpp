@@ -50,7 +50,6 @@ PulleyRun run_one(const PulleySettings& settings, Solver<double>& solver) {
     run.steps.push_back(look(world));
     if (step == settings.lift_step && settings.lift > 0) world.set_velocity({3}, {0, settings.lift, 0});
   }
-  run.memory = solver.memory();
   return run;
 }
 
