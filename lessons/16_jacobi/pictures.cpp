@@ -7,7 +7,7 @@ namespace {
 
 const double box_middle = 0.62;  // [m] as the snapshot has it
 const double sum_place = 1.1;    // [m] where the pushes stand upon each other, beside the box
-const double weight_place = 1.38;
+const double weight_place = 1.42;
 
 /// The pushes of all feet at their feet, and once more tip to tail beside the weight.
 void draw_pushes(Page& page, const Camera& camera, const FeetRun& run, int sweep) {
@@ -19,8 +19,9 @@ void draw_pushes(Page& page, const Camera& camera, const FeetRun& run, int sweep
   TextStyle text = aligned(page.value(), Align::center);
   draw_arrow(page, camera, forces,
              {.kind = ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
-  page.canvas().text(camera.project({weight_place, weight * metres + 0.03}),
-                     fmt::format("weight {:g} N", weight), text);
+  const Point top = camera.project({weight_place, weight * metres + 0.03});
+  page.canvas().text(top - Point(0, 1.3 * text.size), "weight", text);
+  page.canvas().text(top, fmt::format("{:g} N", weight), text);
   text.bold = true;
   double height = 0;
   for (int i = 0; i < lambda.size(); ++i) {

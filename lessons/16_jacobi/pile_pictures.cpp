@@ -44,12 +44,12 @@ void draw_eigenvalues(Page& page, const PileRun& run) {
 void draw_convergence(Page& page, const PileRun& run) {
   const List<Rect> parts = in_rows(page, {0.6, {0.4, {0.6, 0.4}}});
   Plot plot{.title = "residual R_{E} after each sweep"};
-  plot.x = {.title = "sweep", .scale = AxisScale::logarithmic, .min = 1, .max = 300};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 5e-4, .max = 2};
+  plot.x = {.title = "sweep", .scale = AxisScale::logarithmic, .min = 1, .max = 1000};
+  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 2e-5, .max = 2};
   const auto add = [&](const std::string& name, const SeriesStyle& style, const List<double>& residual) {
     Series series{.name = name, .style = style};
     for (int k = 1; k <= 300 && k < residual.size(); ++k) {
-      if (!(residual[k] > 5e-4)) break;
+      if (!(residual[k] > 1e-4)) break;
       series.add(k, residual[k]);
     }
     plot.series.push_back(series);
@@ -59,8 +59,7 @@ void draw_convergence(Page& page, const PileRun& run) {
     add(method_name(history.method, run.settings.omega), style_of(page.theme(), history.method),
         history.residual);
   }
-  add("", {page.theme().jacobi.color, {12, 5, 2, 5}, Marker::circle}, run.momentum_residual);
-  plot.labels.push_back({1.2 * run.with_momentum.sweeps_needed, 2e-3, "momentum"});
+  add("momentum", {page.theme().jacobi.color, {12, 5, 2, 5}, Marker::circle}, run.momentum_residual);
   plot.goals.push_back({0.01, "1 %"});
   draw_plot(page, parts[0], plot);
   TableView table;
