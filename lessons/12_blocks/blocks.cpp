@@ -114,7 +114,7 @@ List<Pair> pairs_of(const SweepRecorder<double>& recorder, double dt) {
 
 void record_rows(const SweepRecorder<double>& recorder, const VelocityProblem<double>& problem, RodRun& run) {
   run.by_rows = pairs_of(recorder, problem.dt);
-  Pair lambda = {0, 0};
+  Pair lambda = run.by_rows[0];
   for (const RowRecord& record : recorder.rows()) {
     RodUpdate update{.sweep = record.update.sweep, .row = record.update.row};
     update.jv = record.update.row_velocity;

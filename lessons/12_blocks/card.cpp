@@ -8,8 +8,8 @@ const LessonCard lesson12(
      .name = "blocks",
      .title = "What belongs together",
      .idea =
-         "The rows of one joint act on the same two bodies. Sequential impulses may solve them together, as "
-         "a block, and then they cannot work against each other.",
+         "Sequential impulses may solve the rows of a joint together, as a block. That saves what these rows "
+         "couple, and nothing of what couples one joint with another.",
      .paper = "paper 4.3, 4.4, 4.5",
      .equations = {"(22)  Aᵢᵢ Δλᵢ = (ζᵢ − jᵢ·v) / Δt             one row: a number to divide by",
                    "4.3   A_BB Δλ_B = (ζ_B − J_B v) / Δt          one joint: 2 rows of a pin, 3 of a weld",
@@ -18,25 +18,31 @@ const LessonCard lesson12(
      .reads = {"src/solvers/iterative/block_sequential_impulse.hpp",
                "tests/solvers/iterative/block_tests.cpp"},
      .question =
-         "Beams in a chain, the first welded to a wall. To 1 %, one beam takes 16 sweeps row by row, and 1 "
-         "with its weld as a block. Two beams take 110 row by row. How many do they take with a block for "
-         "each of their two welds: about 2, about 20, about 60, or all 110?",
-     .spoilers = {"61", "55 %", "326", "75 %", "zig-zag"},
+         "Beams in a chain, the first welded to a wall. One beam takes 16 sweeps row by row, and 1 with the "
+         "three rows of its weld as a block: 6 %. Ten beams take 42967 sweeps row by row. Which share is "
+         "left with their ten welds as blocks: about 1, 6, 50 or 97 %?",
+     .spoilers = {"41751", "55 %", "no second beam", "zig-zag"},
      .unasked = {"angle", "inertia", "sweeps"},
-     .wrong = {{{1},
-                {49},
-                "So few would do if most of the conflict were within the welds. Much of it is between them: "
-                "what a block corrects at one weld, it spoils at the other."},
-               {{73},
-                {110},
-                "The first weld has rows that disturb each other much, and there a block "
-                "helps."}},
+     .wrong =
+         {{{0},
+           {3},
+           "Less would be left if the rows inside a weld were the harder to settle, the longer the chain "
+           "is. But there are always three. What grows with the chain?"},
+          {{3},
+           {30},
+           "Each weld is right after one visit, as that of one beam is. But the next weld makes it "
+           "wrong again, and its block does not know."},
+          {{30},
+           {91},
+           "A block does end a part of the coupling. How much of what ten beams couple is inside the "
+           "welds, and how much between one weld and the next?"}},
      .hints =
          {"A block ends the conflict between the rows of one joint. Are there others, and are there "
           "more of them in a longer chain?",
           "To the other joints a block acts like a single row: it stops its own error and starts one "
-          "next door. One weld has no weld next door, and is right after one visit; two have each other.",
-          "A little more than half of the 110 sweeps remain."},
+          "next door. One weld has no weld next door, and is right after one visit; ten have nine pairs.",
+          "Look at a weld in the middle: do its own three rows spoil each other, or does the next weld spoil "
+          "them?"},
      .parameters = {{"dt", 0.02, 0.005, 0.02, "s", "time step"},
                     {"angle", 45, 5, 85, "°", "of the rod above the horizontal"},
                     {"inertia", 1e-6, 1e-7, 1, "kg m^2", "of the bob: how hard it is to turn"},

@@ -43,7 +43,7 @@ void draw_entry(Page& page, const Rect& cell, double value, bool in_block) {
 
 /// A of three beams: what a block settles stands in the frames on the diagonal, what it cannot beside them.
 void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
-  const Rect inside = page.panel(rect, "A of three welded beams: rows x and y in N, θ in N m");
+  const Rect inside = page.panel(rect, "A of three welded beams: λ of x and y in N, of θ in N m");
   const double size = (inside.height - 24) / 9;
   const double left = inside.x + 32;
   for (int i = 0; i < 9; ++i) {
@@ -67,10 +67,11 @@ void draw_chain(Page& page, const BlocksRuns& all) {
 }
 
 void draw_inside(Page& page, const BlocksRuns& all) {
-  const List<Rect> parts = in_columns(page, {0.55, 0.45});
+  const List<Rect> parts = in_columns(page, {0.55, {0.45, {0.35, 0.65}}});
   draw_system(page, parts[0], all.chains[welded_three]);
+  draw_start(page, parts[1], all.chains[welded_three]);
   page.card(
-      parts[1], "What a block settles",
+      parts[2], "What a block settles",
       "Its square on the diagonal. Only in the first square do rows couple: y with θ, at the wall. All else "
       "stands beside the squares, between the joints, and takes its sweeps.");
 }
@@ -88,29 +89,29 @@ void draw_start(Page& page, const Rect& rect, const ChainRun& chain) {
 }
 
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked) {
-  const Rect inside = page.panel(rect, "sweeps to 1 %: with blocks, of those row by row");
-  const int last = asked ? welded_two : welded_three;
-  const double pitch = inside.height / (last + 1);
-  TextStyle text = page.value(), name = page.label();
-  text.size *= 1.2;
-  name.size = text.size;
-  text.align = Align::right;
-  for (int chain = welded_one; chain <= last; ++chain) {
-    const int rows = all.chains[chain].rows.sweeps, blocks = all.chains[chain].blocks.sweeps;
-    const bool hidden = asked && chain == welded_two;
-    const double top = inside.y + pitch * chain, middle = top + 0.45 * pitch;
-    const Rect bar = {inside.x, middle, inside.width, 0.4 * pitch};
-    page.canvas().text({inside.x, middle - 10}, fmt::format("{} beam{}", chain + 1, chain == 0 ? "" : "s"),
-                       name);
-    page.canvas().text(
-        {inside.x + inside.width, middle - 10},
-        hidden ? fmt::format("? of {} = ? %", rows)
-               : fmt::format("{} of {} = {} %", blocks, rows, fixed(share_left(all.chains[chain]), 0)),
-        text);
+  const Rect inside = page.panel(rect, "sweeps with blocks, as a share of those row by row");
+  List<int> shown = {welded_one, welded_two, welded_three, welded_ten};
+  if (asked) shown = {welded_one, welded_ten};
+  const double pitch = inside.height / shown.size();
+  TextStyle numbers = page.value(), name = page.label();
+  numbers.size = name.size = 1.2 * page.value().size;
+  numbers.align = Align::right;
+  const double left = 6 * name.size, right = 14.5 * name.size;
+  for (int line = 0; line < shown.size(); ++line) {
+    const ChainRun& chain = all.chains[shown[line]];
+    const bool hidden = asked && shown[line] == welded_ten;
+    const double middle = inside.y + pitch * (line + 0.5), base = middle + 0.35 * name.size;
+    const int beams = chain.start.bodies.size() - 1;  // body 0 is the wall
+    page.canvas().text({inside.x, base}, fmt::format("{} beam{}", beams, beams == 1 ? "" : "s"), name);
+    page.canvas().text({inside.x + inside.width, base},
+                       hidden ? fmt::format("? of {} = ? %", chain.rows.sweeps)
+                              : fmt::format("{} of {} = {} %", chain.blocks.sweeps, chain.rows.sweeps,
+                                            fixed(share_left(chain), 0)),
+                       numbers);
+    Rect bar = {inside.x + left, middle - 0.3 * pitch, inside.width - left - right, 0.6 * pitch};
     page.canvas().rect(bar, {.fill = faded(style_of_rows(page).color, 0.35)});
-    if (hidden) continue;
-    page.canvas().rect({bar.x, bar.y, bar.width * share_left(all.chains[chain]) / 100, bar.height},
-                       {.fill = style_of_blocks(page).color});
+    bar.width *= share_left(chain) / 100;
+    if (!hidden) page.canvas().rect(bar, {.fill = style_of_blocks(page).color});
   }
 }
 

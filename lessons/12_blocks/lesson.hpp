@@ -17,6 +17,7 @@ struct BlocksSettings {
 
 inline constexpr double gravity = 10;     // [m/s^2]
 inline constexpr double rod_length = 2;   // [m], of 1 kg
+inline constexpr double rod_weight = 10;  // [N] which its pin carries when the sweeps begin
 inline constexpr double beam_length = 1;  // [m], of 1 kg
 inline constexpr double beam_height = 0.2;
 
@@ -40,7 +41,7 @@ struct RodRun {
   Pair formula = {0, 0};         // lambda from Newton's law of the turning rod [N]
   double rate = 0;               // A_12^2 / (A_11 A_22)
   List<RodUpdate> updates = {};  // six sweeps row by row
-  List<Pair> by_rows = {};       // lambda after each sweep [N]; 0: nothing yet
+  List<Pair> by_rows = {};       // lambda after each sweep [N]; 0: the start
   List<Pair> by_block = {};
 };
 
@@ -164,8 +165,8 @@ List<Shot> bob_shots(const BlocksRuns& all);
 
 /// A chain before the first sweep.
 void draw_start(Page& page, const Rect& rect, const ChainRun& chain);
-/// The sweeps of one, two and three beams with blocks, as a part of those by rows; of the question, one and
-/// two, and what is asked for is left out.
+/// The sweeps of one, two, three and ten beams with blocks, as a part of those by rows; the question has one
+/// beam, and ten without their answer.
 void draw_sweep_bars(Page& page, const Rect& rect, const BlocksRuns& all, bool asked);
 
 /// Rows grey and dashed, blocks solid in the colour of sequential impulses.

@@ -13,8 +13,10 @@ void print_rod(Lesson& lesson, const BlocksRuns& all) {
   const RodRun& rod = all.rod;
   const Matrix<double>& A = rod.system.A;
   lesson.print(
-      fmt::format("Rod, its pin.  A = [{:.4g} {:.4g}; {:.4g} {:.4g}] 1/kg,  b = ({:.4g}, {:.4g}) m/s²",
-                  A(0, 0), A(0, 1), A(1, 0), A(1, 1), rod.system.b(0) + 0.0, rod.system.b(1)));
+      fmt::format("Rod, its pin.  A = [{:.4g} {:.4g}; {:.4g} {:.4g}] 1/kg,  b = ({:.4g}, {:.4g}) m/s²,  from "
+                  "λ = ({:g}, {:g}) N",
+                  A(0, 0), A(0, 1), A(1, 0), A(1, 1), rod.system.b(0) + 0.0, rod.system.b(1),
+                  rod.by_rows[0][0], rod.by_rows[0][1]));
   lesson.print("  sweep row      j·v    Δλ (N), (22)       λ₁        λ₂ (N)   pinned end moves at (m/s)");
   for (int i = 0; i < rod.updates.size(); ++i) {
     const RodUpdate& update = rod.updates[i];

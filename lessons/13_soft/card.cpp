@@ -16,11 +16,11 @@ const LessonCard lesson13(
                    "(22)  Δλ = (ζ − j·v − γ λ Δt) / ((A_ii + γ) Δt)   SI: one more term, in one class"},
      .needs = {"lesson 03", "lesson 09"},
      .reads = {"src/constraints/softness.hpp", "src/solvers/iterative/sequential_impulse.cpp"},
-     .question = "A weight of 1 kg is let go on a spring of 2 Hz with damping ratio ½, 200 mm too low. As a "
-                 "force the "
-                 "spring would begin with k\u00a0·\u00a00.2\u00a0m\u00a0=\u00a031.6\u00a0N. As a soft row, "
-                 "does it push "
-                 "harder than that in its first step of 0.02\u00a0s, or less? With how many newtons?",
+     .question =
+         "A weight of 1 kg stands on a spring of 2 Hz with damping ratio ½. It starts at rest, 200 mm too "
+         "low. As a force the spring would begin with k\u00a0·\u00a00.2\u00a0m\u00a0=\u00a031.6\u00a0N. As a "
+         "soft row, does it push harder than that in its first step of 0.02\u00a0s, or less? With how many "
+         "newtons?",
      .spoilers = {"26.4", "less than the force", "30.5"},
      .wrong =
          {{{31.5},
@@ -30,7 +30,14 @@ const LessonCard lesson13(
           {{31.8},
            {200},
            "The weight moves up within the step. Then the spring is less pressed, and its damper resists."},
-          {{28}, {31.4}, "Less, yes. How much less follows from the end of the step."}},
+          {{27.7}, {31.4}, "Less, yes. How much less follows from the end of the step."},
+          {{21.4},
+           {21.8},
+           "Gravity takes nothing from the spring's push. It moves the weight by itself, and (22) has it in "
+           "j·v."},
+          {{0},
+           {25.2},
+           "Less, yes, but not by so much. How far up is the weight at the end of the step, and how fast?"}},
      .hints = {"A row is solved for the velocity that the step ends with. Where is the weight then?",
                "λ = −k (c + Δt v') − d v', and v' = Δt (λ / m − g): two equations for λ and v'.",
                "k = 157.9 N/m and d = 12.57 N s/m: λ (1 + Δt (d + Δt k)) = 31.58 + 3.14."},

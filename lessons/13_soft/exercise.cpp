@@ -20,7 +20,7 @@ struct Spring {
 };
 
 // One visit of the row in a sweep, (22) with γ: find γ and β of the spring for steps of dt [s], then the
-// impulse that this visit adds, so that j·v + γ (all of the impulse) = −β c / Δt holds behind it. A spring
+// impulse that this visit adds, so that j·v + γ (all of the impulse) = −β c / Δt holds afterwards. A spring
 // pushes and pulls: nothing is clamped. Update the spring's impulse and both velocities.
 void visit(Spring& spring, Body& below, Body& above, double dt) {
   // Your code begins here: about nine lines.

@@ -34,13 +34,11 @@ List<double> by_force(const SoftSettings& settings, int steps) {
   const double d = damping_constant(settings);
   List<double> c = {-settings.pressed};
   double v = 0;
-  // [force]
   for (int step = 0; step < steps; ++step) {
     const double force = -k * c.back() - d * v;  // as the spring stands now
     v += dt * (force / m - gravity);
     c.push_back(c.back() + dt * v);
   }
-  // [/force]
   return c;
 }
 

@@ -54,11 +54,8 @@ struct ColumnRun {
   Snapshot start = {};
   double gamma = 0;  // [1/kg] 0: three rigid rows
   Matrix<double> A = {};
-  List<double> exact = {};
   List<List<double>> by_pgs = {};  // after each sweep
   List<List<double>> by_si = {};
-  List<double> error = {};  // of SI after each sweep, over the largest exact lambda
-  double rate = 0;          // by formula: what a sweep leaves of the error
 };
 
 /// How much a step enlarges an oscillation, at most, and what twenty steps made of it.

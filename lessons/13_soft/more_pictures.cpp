@@ -5,8 +5,6 @@ namespace cairn::soft {
 
 namespace {
 
-const int shown_sweeps = 6;
-
 /// From one colour to another.
 Color between(const Color& from, const Color& to, float part) {
   return {from.r + part * (to.r - from.r), from.g + part * (to.g - from.g), from.b + part * (to.b - from.b)};
@@ -69,22 +67,23 @@ void draw_column(Page& page, const Rect& rect, const ColumnRun& run, const std::
                      {.width = page.sizes().outline, .color = page.theme().outline});
 }
 
-/// Both side by side, so that one scale of colours serves both.
+/// Colours of both as strong as their numbers.
+void draw_own_matrix(Page& page, const Rect& rect, const std::string& title, const ColumnRun& run,
+                     const SoftRuns& all) {
+  draw_matrix(page, rect,
+              {.title = title,
+               .values = run.A,
+               .row_names = {"1", "2", "3"},
+               .column_names = {"1", "2", "3"},
+               .strongest = all.soft_column.A.maxCoeff()});
+}
+
 void draw_matrices(Page& page, const SoftRuns& all) {
-  const List<Rect> parts = in_rows(page, {{0.5, {0.16, 0.16, 0.36, 0.32}}, {0.5, {0.5, 0.5}}});
+  const List<Rect> parts = in_rows(page, {{0.5, {0.2, 0.3, 0.2, 0.3}}, {0.5, {0.5, 0.5}}});
   draw_column(page, parts[0], all.rigid_column, "rods");
-  draw_column(page, parts[1], all.soft_column, "springs");
-  MatrixView view{.title = "A of the rods  |  A + γ of the springs (1/kg)",
-                  .values = Matrix<double>(column_weights, 2 * column_weights),
-                  .row_names = {"1", "2", "3"},
-                  .column_names = {"1", "2", "3", "1", "2", "3"},
-                  .column_group = column_weights};
-  view.values << all.rigid_column.A, all.soft_column.A;
-  draw_matrix(page, parts[2], view);
-  page.note(
-      parts[3], "",
-      "A spring only adds its γ to its diagonal entry of A. The rows affect each other less, so a sweep "
-      "leaves less of the error.");
+  draw_own_matrix(page, parts[1], "A = J M⁻¹ Jᵀ (1/kg)", all.rigid_column, all);
+  draw_column(page, parts[2], all.soft_column, "springs");
+  draw_own_matrix(page, parts[3], "A + γ (1/kg)", all.soft_column, all);
   const ColumnRun& soft = all.soft_column;
   page.equation(parts[4], {.number = "eq (15), PGS",
                            .symbols = "A λ = b,   with A_{ii} + γ",
@@ -105,41 +104,6 @@ void draw_matrices(Page& page, const SoftRuns& all) {
                            .result = fmt::format("= {} N", fixed(change, 4)),
                            .algorithm = "a term in one constraint's routine",
                            .color = style_of_soft(page).color});
-}
-
-void draw_lambdas(Page& page, const Rect& rect, const ColumnRun& run, int sweep, const std::string& title,
-                  Color color) {
-  const double largest = *std::max_element(run.exact.begin(), run.exact.end());
-  BarChart chart{.title = title, .largest = 1.3 * largest, .color = color};
-  for (int i = 0; i < run.exact.size(); ++i) {
-    const double before = run.by_si[sweep - 1][i];
-    chart.bars.push_back({.name = fmt::format("row {}", i + 1),
-                          .before = before,
-                          .added = run.by_si[sweep][i] - before,
-                          .exact = run.exact[i]});
-  }
-  draw_bars(page, rect, chart);
-}
-
-void draw_sweep(Page& page, const SoftRuns& all, int sweep) {
-  const List<Rect> parts = in_rows(page, {{0.48, {1, 1}}, 0.52});
-  draw_lambdas(page, parts[0], all.rigid_column, sweep, "rods, one step from λ = 0: λ (N)",
-               style_of_rigid(page).color);
-  draw_lambdas(page, parts[1], all.soft_column, sweep, "springs that begin without load: λ (N)",
-               style_of_soft(page).color);
-  Plot plot{.title = "largest error of λ, over the largest λ"};
-  plot.x = {.title = "sweep", .min = 0, .max = shown_sweeps};
-  plot.y = {.scale = AxisScale::logarithmic, .min = 1e-8, .max = 10};
-  const auto add = [&](const std::string& name, const ColumnRun& run, const SeriesStyle& style) {
-    List<double> errors;
-    for (int k = 0; k <= shown_sweeps; ++k) errors.push_back(std::max(run.error[k], 1e-12));
-    plot.series.push_back(over_steps(name, style, errors));
-  };
-  plot.now = sweep;
-  add(fmt::format("rods, × {} per sweep", fixed(all.rigid_column.rate, 2)), all.rigid_column,
-      style_of_rigid(page));
-  add(fmt::format("springs, × {:.2g}", all.soft_column.rate), all.soft_column, style_of_soft(page));
-  draw_plot(page, parts[2], plot);
 }
 
 SeriesStyle style_of_force(const Page& page) { return {page.theme().external, {2, 5}, Marker::triangle}; }
@@ -209,23 +173,11 @@ List<Shot> stiff_shots(const SoftRuns& all) {
 }
 
 List<Shot> column_shots(const SoftRuns& all) {
-  List<Shot> shots;
-  shots.push_back(
-      key_shot(all, "three weights · A",
-               fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
-                           "to the diagonal.",
-                           all.soft_column.gamma),
-               draw_matrices));
-  for (int sweep = 1; sweep <= shown_sweeps; ++sweep) {
-    shots.push_back(
-        {.state = fmt::format("three weights · sweep {}", sweep),
-         .alt = fmt::format("After sweep {} the largest error is {:.2g} with rods and {:.2g} with "
-                            "springs.",
-                            sweep, all.rigid_column.error[sweep], all.soft_column.error[sweep]),
-         .draw = [&all, sweep](Page& page) { draw_sweep(page, all, sweep); },
-         .key = sweep == 2});
-  }
-  return shots;
+  return {key_shot(all, "three weights · A",
+                   fmt::format("A of three rods, and A of three springs: the same, but with γ = {:.3g} added "
+                               "to the diagonal.",
+                               all.soft_column.gamma),
+                   draw_matrices)};
 }
 
 List<Shot> harsh_shots(const SoftRuns& all) {

@@ -9,18 +9,19 @@ const double soft_x = 0;  // [m] where the weights stand in the picture
 const double rigid_x = 1.1;
 const double left_x = -0.5;
 const double right_x = 1.75;
-const int most_frames = 75;  // of the motion
+const double asked_right_x = 1.2;  // before the first step, with one weight
+const int most_frames = 75;        // of the motion
 
 int last_step(const SoftRuns& all) { return all.spring.steps.size() - 1; }
 
 /// Ground, the height of the weights' lower edges without load, and how far the soft row's is from it.
-void draw_levels(Page& page, const Camera& camera, double error) {
-  const List<Point> ground_outline = {camera.project({left_x, 0}), camera.project({right_x, 0}),
-                                      camera.project({right_x, -0.06}), camera.project({left_x, -0.06})};
+void draw_levels(Page& page, const Camera& camera, double error, double right) {
+  const List<Point> ground_outline = {camera.project({left_x, 0}), camera.project({right, 0}),
+                                      camera.project({right, -0.06}), camera.project({left_x, -0.06})};
   page.canvas().polygon(ground_outline, {.fill = page.theme().static_body});
   page.canvas().hatch(ground_outline, {.width = 1, .color = page.theme().static_hatch},
                       page.sizes().hatch_pitch);
-  page.canvas().line(camera.project({left_x, rest_length}), camera.project({right_x, rest_length}),
+  page.canvas().line(camera.project({left_x, rest_length}), camera.project({right, rest_length}),
                      {.width = 1.5, .color = page.theme().secondary_text, .dash = {8, 5}});
   page.canvas().text(camera.project({rigid_x - half_height - 0.03, rest_length + 0.03}), "c = 0: no load",
                      aligned(page.label(), Align::right));
@@ -88,8 +89,9 @@ void draw_weight(Page& page, const Camera& camera, const SoftRuns& all, const We
 /// Both weights; of the question the one on the spring, with what is known of it.
 void draw_weights(Page& page, const Rect& rect, const SoftRuns& all, int step) {
   const Rect inside = page.panel(rect, "");
-  const Camera camera = fit(inside, {{left_x, -0.2}, {right_x, 1.7}});
-  draw_levels(page, camera, all.spring.error[step]);
+  const double right = step == 0 ? asked_right_x : right_x;
+  const Camera camera = fit(inside, {{left_x, -0.2}, {right, step == 0 ? 1.25 : 1.7}});
+  draw_levels(page, camera, all.spring.error[step], right);
   draw_weight(page, camera, all, all.spring, step, soft_x);
   if (step > 0) return draw_weight(page, camera, all, all.rigid, step, rigid_x);
   TextStyle text = page.value();
@@ -192,7 +194,7 @@ SeriesStyle style_of_rigid(const Page& page) { return render::neutral_styles(pag
 List<Shot> soft_shots(const SoftRuns& all) {
   List<Shot> shots = {question_shot(card(), weights_frame(all, 0))};
   const int frames = std::min(last_step(all), most_frames);
-  const std::set<int> keys = {1, 5, 20};
+  const std::set<int> keys = {1, 5};
   for (int frame = 1; frame <= frames; ++frame)
     shots.push_back(step_shot(all, frame * last_step(all) / frames, keys.contains(frame)));
   for (const List<Shot>& more : {stiff_shots(all), column_shots(all), harsh_shots(all)})

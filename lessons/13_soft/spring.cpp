@@ -76,30 +76,16 @@ List<List<double>> sweeps_of(Solver<double>& solver, VelocityProblem<double> pro
   return lambdas;
 }
 
-/// Of a tridiagonal A of three rows: A_12^2 / (A_11 A_22) + A_23^2 / (A_22 A_33) (D. M. Young, 1954: the
-/// square of what Jacobi keeps).
-double rate_by_formula(const Matrix<double>& A) {
-  return A(0, 1) * A(0, 1) / (A(0, 0) * A(1, 1)) + A(1, 2) * A(1, 2) / (A(1, 1) * A(2, 2));
-}
-
 ColumnRun run_column(const SoftSettings& settings, double gamma) {
   const World<double> world(column_scene(settings));
   VelocityProblem<double> problem = world.velocity_problem();
   for (ConstraintRow<double>& row : problem.rows) row.softness = gamma;
   const SystemMatrices<double> system = system_matrices(problem);
   ColumnRun run{.start = snapshot(world), .gamma = gamma, .A = system.A};
-  const Vector<double> exact = system.A.ldlt().solve(system.b);
-  run.exact.assign(exact.begin(), exact.end());
   ProjectedGaussSeidel<double> pgs({.iterations = column_sweeps});
   SequentialImpulse<double> si({.iterations = column_sweeps});
   run.by_pgs = sweeps_of(pgs, problem);
   run.by_si = sweeps_of(si, problem);
-  for (const List<double>& lambda : run.by_si) {
-    double error = 0;
-    for (int i = 0; i < lambda.size(); ++i) error = std::max(error, std::abs(lambda[i] - run.exact[i]));
-    run.error.push_back(error / exact.lpNorm<Eigen::Infinity>());
-  }
-  run.rate = rate_by_formula(run.A);
   return run;
 }
 

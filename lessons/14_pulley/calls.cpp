@@ -188,15 +188,15 @@ void time_calls(CountedCalls& counted) {
 }
 
 void print_calls(Lesson& lesson, const CountedCalls& counted) {
-  lesson.print(fmt::format("The rope beside a tower of {} boxes: virtual calls in a sweep", tower_boxes));
-  lesson.print(fmt::format("  one loop over all constraints {}, contacts in a loop of their own {}",
-                           counted.in_one_loop, counted.in_two_loops));
+  lesson.detail(fmt::format("The rope beside a tower of {} boxes: virtual calls in a sweep", tower_boxes));
+  lesson.detail(fmt::format("  one loop over all constraints {}, contacts in a loop of their own {}",
+                            counted.in_one_loop, counted.in_two_loops));
   for (const CallTimes& times : counted.times)
-    lesson.print(
+    lesson.detail(
         fmt::format("  a pyramid of {} rows, {}: ns a row update with one class {:.1f}, four {:.1f} ({:.2f})",
                     times.rows, &times == &counted.times[0] ? "order of the scene" : "by colours", times.one,
                     times.four, times.four / times.one));
-  lesson.print();
+  lesson.detail({});
 }
 
 void check_calls(Lesson& lesson, const CountedCalls& counted) {

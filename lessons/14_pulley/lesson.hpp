@@ -30,7 +30,6 @@ struct PulleyStep {
 struct PulleyRun {
   std::string solver = {};
   List<PulleyStep> steps = {};  // steps[0] is the start
-  std::size_t memory = 0;       // bytes beside the problem
 };
 
 struct PulleyRuns {

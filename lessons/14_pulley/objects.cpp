@@ -136,11 +136,11 @@ ObjectSweeps sweep_objects(const PulleySettings& settings) {
 }
 
 void print_objects(Lesson& lesson, const ObjectSweeps& swept) {
-  lesson.print(fmt::format(
+  lesson.detail(fmt::format(
       "A class for each kind, beside a tower of {} boxes: numbers of others' rows that the objects keep",
       tower_boxes));
-  lesson.print(fmt::format("  under SI none, under PGS {}", swept.pgs_others));
-  lesson.print();
+  lesson.detail(fmt::format("  under SI none, under PGS {}", swept.pgs_others));
+  lesson.detail({});
 }
 
 void check_objects(Lesson& lesson, const ObjectSweeps& swept) {

@@ -17,6 +17,11 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
   lesson.print(fmt::format("  (22)  λ = ({:g} − ({})) / ({:.4f} × {:g}) = {:.4f} N, in one sweep",
                            row.bias + 0.0, fixed(jv, 3), inverse, all.settings.dt,
                            (row.bias - jv) / inverse / all.settings.dt));
+  ConstraintRow<double> two = row;
+  two.extra_count = 0;
+  lesson.print(fmt::format(
+      "  without the third mass: λ = {:.4f} N",
+      (two.bias - row_velocity(all.first, two)) / inverse_effective_mass(all.first, two) / all.settings.dt));
   const Matrix<double> J = system_matrices(all.first).J;
   std::string line;
   for (Eigen::Index k = 0; k < J.cols(); ++k) line += fmt::format(" {:g}", J(0, k));
@@ -25,13 +30,12 @@ void print_row(Lesson& lesson, const PulleyRuns& all) {
 }
 
 void print_solvers(Lesson& lesson, const PulleyRuns& all) {
-  lesson.print(
-      "solver                    λ, step 1 (N)    a₁      a₂      a₃ (m/s²)   beside the problem (bytes)");
+  lesson.print("solver                    λ, step 1 (N)    a₁      a₂      a₃ (m/s²)");
   for (const PulleyRun& run : all.runs) {
     const PulleyStep& step = run.steps[1];
-    lesson.print(fmt::format("  {:<22} {:>14.10f} {:>7.3f} {:>7.3f} {:>7.3f} {:>17}", run.solver,
-                             step.tension, step.speed[0] / all.settings.dt, step.speed[1] / all.settings.dt,
-                             step.speed[2] / all.settings.dt, run.memory));
+    lesson.print(fmt::format("  {:<22} {:>14.10f} {:>7.3f} {:>7.3f} {:>7.3f}", run.solver, step.tension,
+                             step.speed[0] / all.settings.dt, step.speed[1] / all.settings.dt,
+                             step.speed[2] / all.settings.dt));
   }
   lesson.print(
       fmt::format("A row takes {} bytes with two bodies. The third costs {} more, and only this row pays.",

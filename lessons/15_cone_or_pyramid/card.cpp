@@ -16,15 +16,24 @@ const LessonCard lesson15(
           "circle   √(λ_x² + λ_y²) ≤ μ λ_n                one clamp, of the vector: the cone, cut across"},
      .needs = {"lesson 03", "lesson 11"},
      .reads = {"src/constraints/friction_joint.hpp", "src/constraints/row.hpp"},
-     .question = "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s on a table that presses back with "
-                 "λ_n\u00a0=\u00a010\u00a0N; μ is 0.5. With the length of its friction clamped to μ λ_n it "
-                 "stops after "
-                 "2.45\u00a0m. How far from its start does it stop if λ_x and λ_y are each clamped to μ λ_n?",
+     .question =
+         "A puck of 1\u00a0kg starts at v = (3,\u00a04)\u00a0m/s on a table that presses back with "
+         "λ_n\u00a0=\u00a010\u00a0N; μ is 0.5. With the length of its friction clamped to μ λ_n it "
+         "stops 2.45\u00a0m from its start, at (1.47,\u00a01.96)\u00a0m. At which place does it stop if "
+         "λ_x and λ_y are each clamped to μ λ_n?",
      .spoilers = {"1.79", "0.87", "diamond"},
-     .wrong = {{{2.44},
-                {2.46},
-                "That is where the length of λ is clamped. A square allows more towards its "
-                "corners."}},
+     .wrong =
+         {{{1.4, 1.85},
+           {1.55, 2.05},
+           "There it stops if the length of λ is clamped. A square allows more towards its corners."},
+          {{0.98, 1.3},
+           {1.12, 1.49},
+           "So it would be if √2 μ λ_n acted against v all the way. But the corner does not point against "
+           "v, and one axis comes to rest before the other."},
+          {{0.4, 0.7}, {0.5, 0.9}, "A body that brakes steadily goes v²/2a: each axis with a = μ g."},
+          {{1.56, 2.06},
+           {10, 10},
+           "In no direction does the square allow less friction than the circle, so the puck stops sooner."}},
      .hints = {"Does the friction of the square point against v? Draw the corner that it ends in.",
                "No axis knows of the other: think of two pucks on two rails, at 3 and at 4 m/s.",
                "Each stops after v²/2μg, and half a step less: 0.87 m along x, 1.56 m along y."},

@@ -74,10 +74,10 @@ void run(Lesson& lesson) {
   print_scene(lesson, settings);
   lesson.predict();
   print_slides(lesson, all);
-  const double right = all.square.steps.back().place.norm();
+  const Vec2<double> right = all.square.steps.back().place;
   // A textbook's way of computing it leaves out half a step, by which semi-implicit Euler lags.
   const double lag = 0.5 * settings.dt * settings.speed();
-  lesson.answer({right}, 0.02 * right + lag,
+  lesson.answer({right.x(), right.y()}, 0.01 + lag,
                 "Each axis stops by itself, as on a rail. In its corners the square allows √2 μ λ_n: too "
                 "strong, and against v only along the diagonals.");
   check_slides(lesson, all);

@@ -118,9 +118,9 @@ Camera draw_table(Page& page, const Rect& rect, const Slides& all, int k);
 SeriesStyle limit_style(const Page& page, bool is_circle);
 TextStyle name_style(const Page& page, double size, const Color& color);
 
-/// From the start to where a puck stops: a line `aside` px beside its way, with its length.
+/// From the start to where a puck stops: a line `aside` px beside its way, and words beside it.
 void draw_dimension(Page& page, const Camera& camera, const Vec2<double>& end, double aside,
-                    const std::string& text, const Color& color);
+                    const List<std::string>& lines, const Color& color);
 
 /// The plane of the friction forces with the square, the circle, and some forces.
 Camera draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces& forces);

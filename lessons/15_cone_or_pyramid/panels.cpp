@@ -139,13 +139,18 @@ Camera draw_table(Page& page, const Rect& rect, const Slides& all, int k) {
 }
 
 void draw_dimension(Page& page, const Camera& camera, const Vec2<double>& end, double aside,
-                    const std::string& text, const Color& color) {
+                    const List<std::string>& lines, const Color& color) {
   const Point from = camera.project({0, 0}), to = camera.project(end);
   const Point along = (to - from).normalized(), across(-along.y(), along.x());
   draw_length(page, from + aside * across, to + aside * across, {.width = 2, .color = color});
   TextStyle style =
       aligned(name_style(page, page.sizes().title, color), aside > 0 ? Align::left : Align::right);
-  page.canvas().text(0.5 * (from + to) + (aside + (aside > 0 ? 14 : -14)) * across, text, style);
+  Point at = 0.5 * (from + to) + (aside + (aside > 0 ? 14 : -14)) * across;
+  if (aside < 0) at.y() -= 1.4 * style.size * (lines.size() - 1);  // clear of the line, which leans right
+  for (const std::string& line : lines) {
+    page.canvas().text(at, line, style);
+    at.y() += 1.4 * style.size;
+  }
 }
 
 Camera draw_limits(Page& page, const Rect& rect, const Slides& all, const Forces& forces) {

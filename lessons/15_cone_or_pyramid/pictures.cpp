@@ -80,6 +80,30 @@ void draw_vector(Page& page, const Slides& all) {
       "circle.");
 }
 
+/// The two rows of FrictionJoint: the first along v, with an example of what it leaves of the disc to the
+/// other.
+void draw_shared_disc(Page& page, const Slides& all) {
+  const SlideSettings& settings = all.settings;
+  const double limit = settings.limit(), taken = 0.6 * limit, left = 0.8 * limit;
+  const Vec2<double> along = settings.velocity / settings.speed();
+  const Vec2<double> first = -taken * along, across(along.y(), -along.x());
+  const List<Rect> parts = in_columns(page, {0.5, {0.5, {0.5, 0.5}}});
+  const Camera camera = draw_limits(page, parts[0], all, {.active = {first}, .velocity = settings.velocity});
+  draw_length(page, camera.project(first + left * across), camera.project(first - left * across),
+              {.width = 3, .color = page.theme().friction});
+  page.equation(parts[1], {.number = "the bounds of the row across v",
+                           .symbols = "|λ_{2}| ≤ √((μ λ_{n})² − λ_{1}²)",
+                           .numbers = fmt::format("= √({:g}² − {:g}²)", limit, taken),
+                           .result = fmt::format("= {:g} N", left),
+                           .color = page.theme().friction});
+  page.note(
+      parts[2], "Two rows, one disc",
+      fmt::format("The row along v may give μ λ_{{n}}. If it gives {:g} N, the arrow, the row across may "
+                  "give {:g} N to either side: the line from rim to rim. Each row has a clamp of its own, "
+                  "and λ stays in the circle.",
+                  taken, left));
+}
+
 Series speed_series(const std::string& name, const SeriesStyle& style, const Slides& all,
                     const Slide& slide) {
   Series series{.name = name, .style = style};
@@ -146,17 +170,20 @@ std::string answer_text(const Slides& all) {
   const Vec2<double> circle = all.circle.steps.back().place;
   const Vec2<double> square = all.square.steps.back().place;
   return fmt::format(
-      "{}\u00a0m, at {}\u00a0m: each axis stops by itself. With the vector clamped the puck goes {}\u00a0m, "
+      "At {1}\u00a0m, {0}\u00a0m from the start: each axis stops by itself. With the vector clamped the puck "
+      "goes "
+      "{2}\u00a0m, "
       "straight, in every direction. With the square turned along v there is no difference.",
       fixed(square.norm(), 2), pair_text(square, 2), fixed(circle.norm(), 2));
 }
 
-/// "circle: 2.45 m" beside its way.
+/// "circle: 2.45 m" beside its way, and below it the place where it ends.
 void draw_way(Page& page, const Camera& camera, const Slide& slide, double aside) {
   const bool is_circle = slide.shape == FrictionShape::circle;
   const Vec2<double> end = slide.steps.back().place;
   draw_dimension(page, camera, end, aside,
-                 fmt::format("{}: {:.2f} m", is_circle ? "circle" : "square", end.norm()),
+                 {fmt::format("{}: {:.2f} m", is_circle ? "circle" : "square", end.norm()),
+                  fmt::format("to {} m", pair_text(end, 2))},
                  limit_style(page, is_circle).color);
 }
 
@@ -166,13 +193,14 @@ void draw_question(Page& page, const Rect& rect, const Slides& all) {
   const Camera camera = draw_table(page, halves[0], all, 0);
   const SeriesStyle known = limit_style(page, true);
   const Point start = camera.project({0, 0}), stop = camera.project(all.circle.steps.back().place);
-  page.canvas().line(start + 0.36 * (stop - start), stop, {.width = 1.5, .color = known.color, .dash = {8, 6}});
+  page.canvas().line(start + 0.36 * (stop - start), stop,
+                     {.width = 1.5, .color = known.color, .dash = {8, 6}});
   page.canvas().circle(stop, all.settings.puck_radius() * camera.scale,
                        {.outline = known.color, .outline_width = page.sizes().outline});
   draw_way(page, camera, all.circle, 40);
   TextStyle asked =
       aligned(name_style(page, page.sizes().title, limit_style(page, false).color), Align::right);
-  page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: ? m",
+  page.canvas().text(camera.project(0.4 * all.circle.steps.back().place) - Point(50, 0), "square: (?, ?) m",
                      asked);
   draw_limits(page, halves[1], all, {.velocity = all.settings.velocity});
 }
@@ -209,11 +237,16 @@ List<Shot> slide_shots(const Slides& all) {
                            draw_vector));
   const int stride = (last + 59) / 60;
   std::set<int> keys;
-  for (const double part : {0.4, 0.65, 0.85}) keys.insert(static_cast<int>(part * last) / stride * stride);
+  for (const double part : {0.4, 0.65}) keys.insert(static_cast<int>(part * last) / stride * stride);
   for (int k = stride; k < last; k += stride) shots.push_back(step_shot(all, k, keys.contains(k)));
   shots.push_back(step_shot(all, last, false));
   const int directions = all.directions.size();
   for (int count = 1; count <= directions; ++count) shots.push_back(direction_shot(all, count));
+  shots.push_back(
+      key_shot(all, "two rows, one disc",
+               "The circle of limits with an arrow against v, and across it a line from rim to rim: "
+               "what the first row leaves to the second.",
+               draw_shared_disc));
   shots.push_back(answer_shot(
       card(),
       {.state = "all at rest",

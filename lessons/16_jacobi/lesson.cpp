@@ -15,13 +15,11 @@ using namespace cairn::everybody;
 /// part alone.
 PerRow<double> shares_of_error(const VelocityProblem<double>& problem, Method method, double omega) {
   PerRow<double> give;
-  // [shares]
   for (const ConstraintRow<double>& row : problem.rows) {
     double divisor = inverse_effective_mass(problem, row);        // A_ii, as in Gauss-Seidel
     if (method == Method::split) divisor *= problem.row_count();  // the box, in as many parts as it has rows
     give.push_back((method == Method::damped ? omega : 1) / divisor);
   }
-  // [/shares]
   return give;
 }
 

@@ -116,6 +116,7 @@ struct PileRun {
   PileHistory coloured = {};             // sequential, colour by colour
   TunedJacobi tuned = {};                // with the share that needs the fewest sweeps
   TunedJacobi with_momentum = {};        // with 1 / largest_eigenvalue, which is safe, and momentum
+  List<double> momentum_residual = {};   // R_E after each of its sweeps
   double order_at_once = 0;  // what dealing the rows anew changes after 20 sweeps, over the largest impulse
   double order_in_turn = 0;  // the same for Method::sequential
 };
@@ -125,9 +126,9 @@ Scene pile_scene(int base);
 
 PileRun run_pile(const PileSettings& settings);
 
-/// Sweeps of damped Jacobi to the goal, each begun from where the last two sweeps point; -1: more than
-/// `most`.
-int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int most);
+/// Damped Jacobi, each sweep begun from where the last two sweeps point: R_E after each, until it is far
+/// below the goal, or after `most`.
+List<double> residuals_with_momentum(const VelocityProblem<double>& start, double omega, int most);
 
 /// One after the other, in a sweep, if each row has a processor of its own.
 int turns_per_sweep(const PileRun& run, const PileHistory& history);
@@ -159,12 +160,6 @@ List<Shot> everybody_shots(const FeetRun& feet, const PileRun& pile);
 
 /// Those of the pyramid.
 List<Shot> pile_shots(const PileRun& pile);
-
-/// All of a pyramid with so many boxes at the bottom.
-Camera pyramid_camera(const Rect& inside, int base);
-
-/// The pyramid's contacts by colour, and what goes at the same time.
-void draw_colours(Page& page, const PileRun& run);
 
 /// "Jacobi", "Jacobi, ω = 0.3", "Jacobi, split", "SI".
 std::string method_name(Method method, double omega);

@@ -6,21 +6,22 @@ namespace cairn::everybody {
 namespace {
 
 const double box_middle = 0.62;  // [m] as the snapshot has it
-const double sum_place = 1.2;    // [m] where the pushes stand upon each other, beside the box
-const double weight_place = 1.5;
+const double sum_place = 1.1;    // [m] where the pushes stand upon each other, beside the box
+const double weight_place = 1.42;
 
 /// The pushes of all feet at their feet, and once more tip to tail beside the weight.
 void draw_pushes(Page& page, const Camera& camera, const FeetRun& run, int sweep) {
   const List<double>& lambda = history_of(run, Method::plain).lambda[sweep];
   const double weight = box_mass * gravity;
-  const ArrowScale forces{.pixels_per_unit = 1.55 * camera.scale / (weight * std::max(1.0, run.answer)),
+  const ArrowScale forces{.pixels_per_unit = 1.3 * camera.scale / (weight * std::max(1.0, run.answer)),
                           .longest = 2 * camera.scale};
   const double metres = forces.pixels_per_unit / camera.scale;  // for a newton
   TextStyle text = aligned(page.value(), Align::center);
   draw_arrow(page, camera, forces,
              {.kind = ArrowKind::external, .tail = {weight_place, weight * metres}, .value = {0, -weight}});
-  page.canvas().text(camera.project({weight_place, weight * metres + 0.03}),
-                     fmt::format("weight {:g} N", weight), text);
+  const Point top = camera.project({weight_place, weight * metres + 0.03});
+  page.canvas().text(top - Point(0, 1.3 * text.size), "weight", text);
+  page.canvas().text(top, fmt::format("{:g} N", weight), text);
   text.bold = true;
   double height = 0;
   for (int i = 0; i < lambda.size(); ++i) {
@@ -42,7 +43,7 @@ void draw_pushes(Page& page, const Camera& camera, const FeetRun& run, int sweep
 /// The box with what each foot has given so far, and how fast it moves.
 void draw_feet(Page& page, const Rect& rect, const FeetRun& run, int sweep) {
   const Rect inside = page.panel(rect, "");
-  Camera camera = fit(inside, {{-0.65, -0.1}, {1.8, 1.35}});
+  Camera camera = fit(inside, {{-0.6, -0.1}, {1.6, 1.35}});
   camera.center.y() = 0.5 * inside.height / camera.scale - 0.15;  // little of the ground
   draw_world(page, camera, run.snapshot, {.numbers = false, .contacts = false});
   draw_pushes(page, camera, run, sweep);

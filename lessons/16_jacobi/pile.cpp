@@ -152,24 +152,25 @@ PileRun run_pile(const PileSettings& settings) {
   run.coloured = coloured_history(run);
   run.tuned = tuned_jacobi(run.problem, run.largest_eigenvalue);
   const double safe = 1 / run.largest_eigenvalue;
-  run.with_momentum = {safe, sweeps_with_momentum(run.problem, safe, settings.sweeps)};
+  run.momentum_residual = residuals_with_momentum(run.problem, safe, settings.sweeps);
+  run.with_momentum = {safe, settled_after(run.momentum_residual)};
   run.order_at_once = effect_of_order(run.problem, Method::split);
   run.order_in_turn = effect_of_order(run.problem, Method::sequential);
   return run;
 }
 
-int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int most) {
+List<double> residuals_with_momentum(const VelocityProblem<double>& start, double omega, int most) {
   const int m = start.row_count();
   const double scale = residual_scale(start);
   Jacobi<double> jacobi({.iterations = 1, .relaxation = omega});
   PerRow<double> last(m, 0.0), begun(m, 0.0);
   double theta = 1;
-  for (int sweep = 1, settled = 0; sweep <= most + 10; ++sweep) {
+  List<double> residuals = {residual(start, scale).energy};
+  for (int sweep = 1; sweep <= most && !(residuals.back() < goal / 20); ++sweep) {
     VelocityProblem<double> problem = start;
     problem.impulse = begun;
     jacobi.solve(problem);  // which gives all bodies these impulses first
-    settled = residual(problem, scale).energy <= goal ? settled + 1 : 0;
-    if (settled == 10) return sweep - 9;
+    residuals.push_back(residual(problem, scale).energy);
     double against = 0;  // whether the last move goes back on what this sweep corrects
     for (int i = 0; i < m; ++i)
       against += (begun[i] - problem.impulse[i]) * (problem.impulse[i] - last[i]) *
@@ -180,7 +181,7 @@ int sweeps_with_momentum(const VelocityProblem<double>& start, double omega, int
     for (int i = 0; i < m; ++i) begun[i] = problem.impulse[i] + share * (problem.impulse[i] - last[i]);
     last = problem.impulse;
   }
-  return -1;
+  return residuals;
 }
 
 int turns_per_sweep(const PileRun& run, const PileHistory& history) {
@@ -206,7 +207,6 @@ Colouring colour_contacts(const VelocityProblem<double>& problem) {
     const bool is_known = !colouring.contacts.empty() && colouring.contacts.back().a == row.a &&
                           colouring.contacts.back().b == row.b;
     if (is_known) continue;  // another row of the same contact
-    // [colour]
     std::set<int>& taken_at_a = taken[row.a];
     std::set<int>& taken_at_b = taken[row.b];
     int colour = 0;
@@ -214,7 +214,6 @@ Colouring colour_contacts(const VelocityProblem<double>& problem) {
     if (can_move(problem, row.a)) taken_at_a.insert(colour);
     if (can_move(problem, row.b)) taken_at_b.insert(colour);
     colouring.contacts.push_back({row.a, row.b, colour});
-    // [/colour]
     if (colour == colouring.count.size()) colouring.count.push_back(0);
     ++colouring.count[colour];
   }
