@@ -2,7 +2,7 @@
 // After a few sweeps every further one leaves the same share ρ of the error, so that k sweeps leave about ρᵏ,
 // and each digit costs as many sweeps as the one before. A tower of boxes, one step from nothing: four
 // solvers, each watched sweep by sweep. One of them differs from SI by a single factor, ω, and needs a
-// twelfth of the sweeps. Then larger towers, fewer bits, and warm starts.
+// twelfth of the sweeps. Then larger towers.
 #include "lesson.hpp"
 
 namespace {
@@ -88,7 +88,7 @@ int enough_sweeps(double rate) {
 List<Curve> watch_four(int boxes, double omega) {
   const double cosine = jacobi_rate(boxes);
   List<Curve> curves = {{.name = "SI", .work = 3.0 * boxes - 2, .rate = cosine * cosine},
-                        {.name = "Jacobi, half steps", .work = 4.0 * boxes - 2, .rate = (1 + cosine) / 2},
+                        {.name = "Jacobi, ω = ½", .work = 4.0 * boxes - 2, .rate = (1 + cosine) / 2},
                         {.name = fmt::format("SOR, ω = {:.4g}", omega),
                          .work = 4.0 * boxes - 2,
                          .rate = sor_rate(boxes, omega)},
@@ -109,9 +109,7 @@ List<Curve> watch_four(int boxes, double omega) {
 }
 
 void run(Lesson& lesson) {
-  CostRun all{.settings = {.boxes = lesson.whole("bodies"),
-                           .omega = lesson.real("omega"),
-                           .sweeps = lesson.whole("sweeps")}};
+  CostRun all{.settings = {.boxes = lesson.whole("bodies"), .omega = lesson.real("omega")}};
   const int boxes = all.settings.boxes;
   lesson.print(
       fmt::format("Scene: {} boxes of 1 kg upon each other, one row each; g = {:g} m/s², Δt = {:g} s; one "

@@ -26,12 +26,14 @@ void draw_tower(Page& page, const Rect& inside, const CostRun& run, int which, i
   draw_tower_loads(page, inside, run.tower, lambda_after(run.curves[which], sweep),
                    {.box_weight = gravity,
                     .largest = 1.05 * exact_lambda(run.settings.boxes)[0],
-                    .color = style_of(page, which).color});
+                    // SI and SOR have one colour: SOR is pale.
+                    .color = render::faded(style_of(page, which).color, which == sor_curve ? 0.4 : 1)});
 }
 
 /// A solver's loads, and its error in large type where the bars are short.
-void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int sweep) {
-  const Rect inside = draw_solver_panel(page, rect, style_of(page, which), short_name(run, which), "");
+void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int sweep,
+                const std::string& number = "") {
+  const Rect inside = draw_solver_panel(page, rect, style_of(page, which), short_name(run, which), number);
   draw_tower(page, inside, run, which, sweep);
   TextStyle text = page.value();
   text.size = page.sizes().question;
@@ -82,23 +84,13 @@ Shot sweep_shot(const CostRun& run, int sweep, bool key) {
 
 std::string point_text(int sweep, const std::string& error) { return fmt::format("{}: {}", sweep, error); }
 
-/// The tower, and SI's error until 1 % is left.
+/// The tower three times, with SI's loads after ten sweeps, and where 10 % and 1 % of the error are left.
 void draw_question(Page& page, const Rect& rect, const CostRun& run) {
-  const List<Rect> parts = in_columns(page, rect, {0.44, 0.56});
+  const List<Rect> parts = in_columns(page, rect, {1, 1, 1});
   const List<double>& error = run.curves[si_curve].error;
-  const int tenth = sweeps_to(error, 0.1), hundredth = sweeps_to(error, 0.01);
-  draw_tower(page, page.panel(parts[0], fmt::format("λ after {} sweeps of SI, tick: exact", hundredth)), run,
-             si_curve, hundredth);
-  Plot plot = error_plot(1.3 * hundredth, AxisScale::linear, 0);
-  const SeriesStyle asked{page.theme().text, {}, Marker::circle};
-  plot.series = {series_of(page, run, si_curve, hundredth), {.style = asked, .line = false}};
-  plot.series[0].name.clear();
-  plot.series[0].markers = false;
-  for (const int sweep : {tenth, hundredth}) plot.series[1].add(sweep, error[sweep]);
-  plot.labels = {{static_cast<double>(tenth), error[tenth], point_text(tenth, "10 %")},
-                 {static_cast<double>(hundredth), error[hundredth], point_text(hundredth, "1 %")}};
-  plot.title = fmt::format("error of SI; with ω = {}: ? sweeps to 1 %", fixed(run.omega, 2));
-  draw_plot(page, parts[1], plot);
+  const FixedList<int, 3> sweeps = {10, sweeps_to(error, 0.1), sweeps_to(error, 0.01)};
+  for (int i = 0; i < sweeps.size(); ++i)
+    draw_loads(page, parts[i], run, si_curve, sweeps[i], fmt::format("{} sweeps", sweeps[i]));
 }
 
 /// The errors of SI and SOR until a billionth is left, and a stair of which each step is one digit of SI.
@@ -155,7 +147,7 @@ SeriesStyle style_of(const Page& page, int curve) {
 }
 
 std::string short_name(const CostRun& run, int curve) {
-  if (curve == jacobi_curve) return "Jacobi ½";
+  if (curve == jacobi_curve) return "Jacobi, ω = ½";
   if (curve == sor_curve) return fmt::format("SOR, ω = {}", fixed(run.omega, 2));
   return curve == si_curve ? "SI" : "momentum";
 }
@@ -164,15 +156,15 @@ List<Shot> cost_shots(const CostRun& run) {
   const int hundredth = sweeps_to(run.curves[si_curve].error, 0.01);
   List<Shot> shots;
   shots.push_back(question_shot(
-      card(),
-      {.state = "until 1 % is left",
-       .alt = fmt::format("A tower of {} boxes with the loads that SI has found after {} sweeps, its error "
-                          "over these sweeps, and the question",
-                          run.settings.boxes, hundredth),
-       .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }}));
+      card(), {.state = "until 1 % is left",
+               .alt = fmt::format(
+                   "A tower of {} boxes three times, with the loads that SI has found after 10, {} and "
+                   "{} sweeps, and the question",
+                   run.settings.boxes, sweeps_to(run.curves[si_curve].error, 0.1), hundredth),
+               .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }}));
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
-  for (const Shot& shot : digit_shots(run)) shots.push_back(shot);
+  shots.push_back(work_shot(run));
   shots.push_back(
       answer_shot(card(),
                   {.state = "answer",
