@@ -8,11 +8,10 @@ const LessonCard lesson20(
      .name = "only_what_the_scene_needs",
      .title = "Only what the scene needs",
      .idea =
-         "The cost of a row update is fixed. You can choose how many there are: which rows are written, how "
-         "often they are swept, and whether anything has moved at all.",
+         "The cost of a row update is fixed. You can choose how many there are: each island of a scene needs "
+         "sweeps of its own, and one that rests needs none.",
      .paper = "paper 4.4",
      .equations = {"      cost of a step = Σ over islands (rows × sweeps)",
-                   "(30)  SI is linear in the rows: half the rows, half the work",
                    "      while not satisfied ...                Algorithm 1: until R_E ≤ the tolerance"},
      .needs = {"lesson 08", "lesson 11", "lesson 16", "lesson 18"},
      .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
@@ -21,7 +20,7 @@ const LessonCard lesson20(
          "soon as all errors are down to a thousandth: that leaves 89\u00a0% of the row updates. If each "
          "of the three ends by itself, the pyramid takes nine sweeps on average. How many per cent are left "
          "then?",
-     .spoilers = {"40 %", "0.86 m"},
+     .spoilers = {"40 %", "3030"},
      .wrong = {{{85},
                 {100},
                 "The tower keeps only itself waiting now: the pyramid, with most of the rows, "
