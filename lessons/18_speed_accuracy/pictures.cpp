@@ -156,7 +156,7 @@ List<Shot> cost_shots(const CostRun& run) {
   const int hundredth = sweeps_to(run.curves[si_curve].error, 0.01);
   List<Shot> shots;
   shots.push_back(question_shot(
-      card(), {.state = "until 1 % is left",
+      card(), {.state = "until 1 % is left · ticks: exact loads",
                .alt = fmt::format(
                    "A tower of {} boxes three times, with the loads that SI has found after 10, {} and "
                    "{} sweeps, and the question",

@@ -26,7 +26,7 @@ void draw_load(Page& page, const Camera& camera, const RatioRun& run, int sweep)
   page.canvas().rect({left.x(), full.y(), width, left.y() - full.y()},
                      {.outline = page.theme().outline, .outline_width = page.sizes().axis});
   TextStyle text = page.value();
-  page.canvas().text({left.x(), full.y() - 0.5 * text.size}, fmt::format("{:g} N", weight), text);
+  page.canvas().text({left.x(), full.y() - 0.5 * text.size}, fmt::format("right: {:g} N", weight), text);
   text.bold = true;
   if (sweep == 0) return;
   page.canvas().text(
