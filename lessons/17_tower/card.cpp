@@ -17,13 +17,15 @@ const LessonCard lesson17(
      .question =
          "Ten boxes, ten sweeps. In step\u00a05 SI, from the ground up, finds 133.51\u00a0N at the "
          "ground and 85.83\u00a0N under box\u00a05. A stranger's program finds 133.51\u00a0N and "
-         "88.52\u00a0N. What does it do otherwise: (1) it rounds to single precision, (2) it builds A "
-         "and b, as PGS does, (3) it visits the contacts from the top down, (4) it makes eleven sweeps?",
+         "88.52\u00a0N. Where does this difference come from: (1) it rounds to single precision, (2) it "
+         "builds A and b, as PGS does, (3) it visits the contacts from the top down, (4) it makes eleven "
+         "sweeps?",
      .spoilers = {"four sweeps late", "0.00005"},
      .unasked = {"steps"},
      .wrong = {{{1},
                 {1},
-                "Single precision keeps seven digits: it changes no load by more than 0.00005\u00a0N."},
+                "It does round, but single precision keeps seven digits: that changes no load by more than "
+                "0.00005\u00a0N."},
                {{2},
                 {2},
                 "PGS and SI do the same, term by term (lesson 07): they differ by less than 10⁻¹³\u00a0N."},
