@@ -166,25 +166,40 @@ std::string answer_text(const TowerRuns& runs) {
   return fmt::format(
       "(3). What the ground gives then climbs by one contact a sweep: the load under box {} is late, that at "
       "the ground is not. (1) and (2) change no load by more than {} N; (4) changes the one at the ground, "
-      "too, "
-      "to {} N.",
+      "too, to {} N.",
       middle_box(runs) + 1, fixed(gap_to_box2d(runs), 5), fixed(runs.one_more.loads[asked_step][0], 2));
 }
 
-/// How far the loads of the four answers are from SI's.
-Plot guesses_plot(const Page& page, const TowerRuns& runs) {
-  Plot plot{.title = "largest difference of any load from SI's (N), on a logarithmic axis"};
+/// How far one load is from SI's under each of the four answers.
+Plot guesses_plot(const Page& page, const TowerRuns& runs, const std::string& title, int interface) {
+  Plot plot{.title = title + ": difference from SI's load (N)"};
   plot.x = {.title = "step", .min = 0, .max = runs.settings.steps};
-  plot.y = {.title = "", .scale = AxisScale::logarithmic, .min = 1e-15, .max = 1e3};
+  const double largest =
+      1.1 * std::max({1.0, gap_of_orders(runs),
+                      largest_gap(runs.warm[1].loads, runs.one_more.loads, runs.settings.steps)});
+  plot.y = {.title = "", .min = -largest, .max = largest};
   const FixedList<SeriesStyle, 3> styles = engine_styles(page);
   const List<SeriesStyle> neutral = render::neutral_styles(page.theme());
-  const Loads& si = runs.warm[1].loads;
-  plot.series = {
-      gap_series(fmt::format("(4) {} sweeps", runs.settings.sweeps + 1), neutral[1], runs.one_more.loads, si),
-      gap_series("(3) top down", neutral[0], runs.from_top[1].loads, si),
-      gap_series("(1) single", styles[2], runs.warm[2].loads, si),
-      gap_series("(2) PGS", styles[0], runs.warm[0].loads, si)};
+  const auto add = [&](const std::string& name, const SeriesStyle& style, const Loads& loads) {
+    List<double> differences;
+    for (int k = 0; k < loads.size(); ++k)
+      differences.push_back(loads[k][interface] - runs.warm[1].loads[k][interface]);
+    plot.series.push_back(over_steps(name, style, differences));
+    plot.series.back().markers = false;
+  };
+  add(fmt::format("(4) {} sweeps", runs.settings.sweeps + 1), neutral[1], runs.one_more.loads);
+  add("(3) top down", neutral[0], runs.from_top[1].loads);
+  add("(1) single", styles[2], runs.warm[2].loads);
+  add("(2) PGS", styles[0], runs.warm[0].loads);
+  plot.cursor = asked_step;
   return plot;
+}
+
+void draw_answer(Page& page, const Rect& rect, const TowerRuns& runs) {
+  const List<Rect> halves = in_rows(page, rect, {1, 1});
+  const int middle = middle_box(runs);
+  draw_plot(page, halves[0], guesses_plot(page, runs, "at the ground", 0));
+  draw_plot(page, halves[1], guesses_plot(page, runs, fmt::format("under box {}", middle + 1), middle));
 }
 
 }  // namespace
@@ -206,10 +221,10 @@ List<Shot> tower_shots(const TowerRuns& runs) {
   shots.push_back(answer_shot(
       card(),
       {.state = "warm start",
-       .alt = "Four curves over the steps, one for each choice: from the top down and with eleven sweeps "
-              "loads differ from SI's by newtons, in single precision by some hundred thousandths, under "
-              "PGS by less still; and the answer.",
-       .scene = [&runs](Page& page, const Rect& rect) { draw_plot(page, rect, guesses_plot(page, runs)); }},
+       .alt = "Differences from SI's loads over the steps, one curve for each choice. At the ground only "
+              "that of eleven sweeps leaves 0; under the box in the middle that from the top down does, too; "
+              "and the answer.",
+       .scene = [&runs](Page& page, const Rect& rect) { draw_answer(page, rect, runs); }},
       answer_text(runs)));
   return shots;
 }

@@ -95,6 +95,14 @@ void print_fingerprints(Lesson& lesson, const TowerRuns& runs) {
   line("PGS, with A and b", runs.warm[0].loads);
   line("Box2D, from the top down", runs.from_top[1].loads);
   line(fmt::format("SI with {} sweeps", runs.settings.sweeps + 1), runs.one_more.loads);
+  const auto steps = [&](const std::string& name, const Loads& loads) {
+    std::string text = fmt::format("  {:<30}", name);
+    for (int k = 1; k <= asked_step; ++k) text += fmt::format("{:>10.2f}", loads[k][middle]);
+    lesson.print(text);
+  };
+  lesson.print(fmt::format("Under box {}, in steps 1 to {} (N):", middle + 1, asked_step));
+  steps("SI, from the ground up", runs.warm[1].loads);
+  steps("Box2D, from the top down", runs.from_top[1].loads);
   lesson.print();
 }
 
@@ -109,8 +117,8 @@ void report(Lesson& lesson, const TowerRuns& runs) {
   print_fingerprints(lesson, runs);
   lesson.answer(
       {3}, 0,
-      "From the top down, what the ground gives climbs by one contact a sweep: the load under a box in "
-      "the middle comes late, and that at the ground does not.");
+      "From the top down, what the ground gives climbs by one contact a sweep: in step 1 the load under a "
+      "box in the middle comes late, and that at the ground does not.");
   check_runs(lesson, "warm", runs.warm, runs.warm_by_hand, runs.settings);
   check_runs(lesson, "cold", runs.cold, runs.cold_by_hand, runs.settings);
   check_order(lesson, runs);
