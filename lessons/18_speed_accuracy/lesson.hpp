@@ -28,8 +28,9 @@ struct Curve {
   List<double> by_hand = {};       // the same errors by plain loops, of the first kept_sweeps
 };
 
-/// In the order of CostRun::curves.
+/// In the order of CostRun::curves. The first three are watched sweep by sweep.
 enum : int { si_curve, jacobi_curve, sor_curve, accelerated_curve };
+inline constexpr int watched_curves = 3;
 
 /// Sweeps of one tower size until no load is wrong by more than 1 %.
 struct SizeCost {
