@@ -49,7 +49,7 @@ void draw_visits(Page& page, const Camera& camera) {
 /// One stack, its masses written on its boxes, and beside it the load on the ground.
 void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, const std::string& count) {
   const Rect inside = draw_solver_panel(page, rect, style_of(page, run.ratio), name_of(run.ratio), count);
-  const Camera camera = fit(inside, {{sweep == 0 ? -2.1 : -0.7, -0.25}, {sweep == 0 ? 2.1 : 1.9, 2.25}});
+  const Camera camera = fit(inside, {{sweep == 0 ? -2.1 : -0.7, -0.25}, {sweep == 0 ? 2.1 : 2.2, 2.25}});
   page.canvas().push_clip(inside);
   draw_boxes(page, camera, snapshot(two_boxes_scene(run.ratio)), run.ratio);
   draw_load(page, camera, run, sweep);
