@@ -18,8 +18,8 @@ const LessonCard lesson20(
      .question =
          "Pyramid, tower and chain have 100, 40 and 10 rows. Each step takes 50 sweeps over them, or ends as "
          "soon as all errors are down to a thousandth: that leaves 89\u00a0% of the row updates. If each "
-         "of the three ends by itself, the pyramid takes nine sweeps on average. How many per cent are left "
-         "then?",
+         "of the three ends by itself, the pyramid takes nine sweeps on average, and the chain 33. How many "
+         "per cent are left?",
      .spoilers = {"40 %", "3030"},
      .wrong = {{{85},
                 {100},
@@ -29,9 +29,10 @@ const LessonCard lesson20(
                 {84.9},
                 "Only the tower takes nearly all of its sweeps, and it has 40 of the 150 rows."},
                {{0}, {33.2}, "The tower still takes nearly all of its sweeps, and the others take some."}},
-     .hints = {"If a step ends for all together, which of the three does everybody wait for?",
-               "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
-               "Add rows × sweeps of the three, and divide by 150 × 50."},
+     .hints =
+         {"A step for all together takes 89\u00a0% of 50 sweeps. Which of the three does everybody wait for?",
+          "Rows times sweeps, for each of the three; all of them have 7500 with 50 sweeps.",
+          "Add rows × sweeps of the three, and divide by 150 × 50."},
      .parameters = {{"sweeps", 50, 1, 200, "", "in every step, at most", Parameter::Kind::whole},
                     {"tolerance", 0.001, 1e-6, 0.3, "", "R_E at which a step may end sooner"},
                     {"bodies", 10, 1, 15, "", "boxes in the tower", Parameter::Kind::whole},
