@@ -16,7 +16,7 @@ const LessonCard lesson20(
      .needs = {"lesson 08", "lesson 11", "lesson 16", "lesson 18"},
      .reads = {"src/world/plan.hpp", "src/world/sleeping.hpp", "src/solvers/stopping.hpp"},
      .question =
-         "Pyramid, tower and chain have 100, 40 and 10 rows. Each step takes 50 sweeps over them, or ends as "
+         "Pyramid, tower and chain have 100, 40 and 10 rows. Each step takes 50 sweeps, or ends as "
          "soon as all errors are down to a thousandth: that leaves 89\u00a0% of the row updates. If each "
          "of the three ends by itself, the pyramid takes nine sweeps on average, and the chain 33. How many "
          "per cent are left?",
