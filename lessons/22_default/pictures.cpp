@@ -30,7 +30,7 @@ void draw_scene(Page& page, const Rect& rect, const Kind& kind, const Snapshot& 
   page.canvas().pop_clip();
 }
 
-/// How far the load of the bridge sinks with each part off, as bars from 1 mm on a logarithmic axis.
+/// How far the load of the bridge sinks with each part off, as points on a logarithmic axis.
 void draw_parts(Page& page, const DefaultRuns& runs) {
   constexpr int decades = 3;
   const List<Outcome>& outcomes = runs.bridge.outcomes;
@@ -38,6 +38,7 @@ void draw_parts(Page& page, const DefaultRuns& runs) {
   TextStyle name = page.label(), bold = page.label();
   name.size = bold.size = render::large_text;
   bold.bold = true;
+  bold.halo = page.theme().panel;
   const double left = inside.x + page.canvas().text_width("one substep  ", name);
   const double decade =
       (inside.x + inside.width - left - page.canvas().text_width(" 592 mm", bold)) / decades;
@@ -53,8 +54,8 @@ void draw_parts(Page& page, const DefaultRuns& runs) {
     const double y = inside.y + line * (i + 0.5), base = y + 0.36 * name.size;
     const double width = decade * std::max(0.0, std::log10(1000 * outcomes[i].sunk));
     page.canvas().text({inside.x, base}, outcomes[i].name, name);
-    page.canvas().rect({left, y - 0.3 * line, width, 0.6 * line}, {.fill = page.theme().secondary_text});
-    page.canvas().text({left + width + 8, base}, millimetres(outcomes[i].sunk), bold);
+    page.canvas().circle({left + width, y}, 1.6 * page.sizes().marker, {.fill = page.theme().text});
+    page.canvas().text({left + width + 18, base}, millimetres(outcomes[i].sunk), bold);
   }
 }
 
@@ -225,7 +226,7 @@ List<Shot> default_shots(const DefaultRuns& runs) {
                "The beam by default, level, and under 20 sweeps, its end more than two metres lower.",
                draw_beam),
       key_shot(runs, "one part off",
-               "Bars on a logarithmic axis, one for each part of the default that is off: the load of the "
+               "Points on a logarithmic axis, one for each part of the default that is off: the load of the "
                "bridge sinks least by default, and most under 20 sweeps.",
                draw_parts),
       key_shot(runs, "beyond 300 freedoms",
