@@ -69,8 +69,8 @@ void draw_beam(Page& page, const DefaultRuns& runs) {
   }
   page.note(
       parts[2], "A load that is carried far",
-      fmt::format("Row updates a step: {} by default, {} with 20 sweeps. Its welds leave no freedom, so "
-                  "one linear system is enough.",
+      fmt::format("Row updates a step: {} by default, {} with 20 sweeps. Welds have nothing to guess, so one "
+                  "linear system is enough.",
                   spaced(trials.outcomes[0].work), spaced(trials.outcomes[1].work)));
 }
 
