@@ -14,19 +14,25 @@ const LessonCard lesson17(
                    "(28)  η_i ← (b_i − Σ_{j≠i} A_ij η_j) / A_ii    PGS"},
      .needs = {"lesson 03", "lesson 07"},
      .reads = {"src/reference/box2d_world.hpp", "tests/reference/tower_tests.cpp"},
-     .question = "Ten boxes of 1\u00a0kg, ten sweeps a step. In step\u00a05 SI finds 133.51\u00a0N at the "
-                 "ground, where 100\u00a0N would be right. Box2D has another author, other data and single "
-                 "precision. By how many newtons does it differ from these 133.51\u00a0N: by about 30, 3 or "
-                 "0.3, or by less than 0.001?",
-     .spoilers = {"6.26", "0.00005"},
+     .question =
+         "Ten boxes, ten sweeps. In step\u00a05 SI, from the ground up, finds 133.51\u00a0N at the "
+         "ground and 85.83\u00a0N under box\u00a05. A stranger's program finds 133.51\u00a0N and "
+         "88.52\u00a0N. Where does this difference come from: (1) it rounds to single precision, (2) it "
+         "builds A and b, as PGS does, (3) it visits the contacts from the top down, (4) it makes eleven "
+         "sweeps?",
+     .spoilers = {"four sweeps late", "0.00005"},
      .unasked = {"steps"},
-     .wrong = {{{30}, {40}, "Then Box2D would be right, with ten sweeps. Ten are too few for anybody."},
-               {{0.05},
-                {30},
-                "Both visit the same rows, in the same order, as often. What is left to differ?"}},
-     .hints = {"What does a load depend on, if the rows, their order and the number of sweeps are given?",
-               "Only on how the sums are rounded.",
-               "Single precision keeps 24 bits, some seven digits, of 133.51\u00a0N."},
+     .wrong = {{{1},
+                {1},
+                "It does round, but single precision keeps seven digits: that changes no load by more than "
+                "0.00005\u00a0N."},
+               {{2},
+                {2},
+                "PGS and SI do the same, term by term (lesson 07): they differ by less than 10⁻¹³\u00a0N."},
+               {{4}, {4}, "An eleventh sweep changes the load at the ground, too, to 134.34\u00a0N."}},
+     .hints = {"Seven digits of 133.51\u00a0N: how large can a rounding be?",
+               "Who is next to the ground has found the same. What is different for a box in the middle?",
+               "How many sweeps does it take until box 5 hears of the ground, in either order?"},
      .parameters = {{"bodies", 10, 1, 20, "", "boxes", Parameter::Kind::whole},
                     {"dt", 0.02, 0.001, 0.05, "s", "time step"},
                     {"gravity", 10, 0.1, 100, "m/s^2", "gravity, downwards"},

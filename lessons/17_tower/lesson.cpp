@@ -63,10 +63,14 @@ Loads loads_by_hand(const TowerSettings& settings) {
   return loads;
 }
 
+EngineRun watch_si(const TowerSettings& settings, RowOrder order) {
+  SequentialImpulse si({.iterations = settings.sweeps, .order = order});
+  return watch(settings, si);
+}
+
 /// SI and Box2D, from the top down.
 List<EngineRun> watch_from_top(const TowerSettings& settings) {
-  SequentialImpulse si({.iterations = settings.sweeps, .order = RowOrder::reverse});
-  return {watch(settings, si), run_box2d(settings, true)};
+  return {watch_si(settings, RowOrder::reverse), run_box2d(settings, true)};
 }
 
 void run(Lesson& lesson) {
@@ -77,6 +81,8 @@ void run(Lesson& lesson) {
                            .steps = lesson.whole("steps")};
   TowerSettings cold = warm;
   cold.warm_start = false;
+  TowerSettings longer = warm;
+  longer.sweeps += 1;
   lesson.print(
       fmt::format("Scene: {} boxes of 1 kg upon each other, touching, g = {:g} m/s², Δt = {:g} s, {} sweeps, "
                   "β = 0",
@@ -87,7 +93,8 @@ void run(Lesson& lesson) {
                        .cold = watch_all(cold),
                        .warm_by_hand = loads_by_hand(warm),
                        .cold_by_hand = loads_by_hand(cold),
-                       .from_top = watch_from_top(warm)};
+                       .from_top = watch_from_top(warm),
+                       .one_more = watch_si(longer, {})};
   report(lesson, runs);
   lesson.film(tower_shots(runs));
   lesson.data(loads_table(runs));

@@ -14,7 +14,7 @@ struct TowerSettings {
   bool warm_start = true;
 };
 
-inline constexpr int asked_step = 5;  // whose load at the ground is asked for
+inline constexpr int asked_step = 5;  // whose loads are asked about
 
 using Loads = List<List<double>>;  // [step][interface] [N]; interface 0 is the ground's
 
@@ -32,6 +32,7 @@ struct TowerRuns {
   Loads warm_by_hand = {};    // and without any engine
   Loads cold_by_hand = {};
   List<EngineRun> from_top = {};  // SI and Box2D, warm, from the top down
+  EngineRun one_more = {};        // SI, warm, with one sweep more in each step
 };
 
 /// Boxes of 1 kg that touch exactly. They cannot turn: the two contact points of an interface then ask for
@@ -55,8 +56,6 @@ double largest_gap(const Loads& first, const Loads& second, int frames);
 int steps_as_tower(const List<EngineRun>& runs);
 /// Of SI's loads and Box2D's, warm or cold, as long as it is a tower [N].
 double gap_to_box2d(const TowerRuns& runs);
-/// Of their loads at the ground in the step that is asked for, warm [N].
-double gap_asked(const TowerRuns& runs);
 /// Of SI's loads from the ground up and Box2D's from the top down [N].
 double gap_of_orders(const TowerRuns& runs);
 
@@ -67,19 +66,10 @@ void report(Lesson& lesson, const TowerRuns& runs);
 
 CsvTable loads_table(const TowerRuns& runs);
 
+/// The box in the middle, counted from 0.
+int middle_box(const TowerRuns& runs);
+
 /// The question, the warm tower step by step, the cold one, and the answer.
 List<Shot> tower_shots(const TowerRuns& runs);
-
-// Boxes that turn.
-
-/// What a stack that falls over has turned, and how far apart three solvers leave it.
-struct TurningRun {
-  std::string name = {};
-  double turned = 0;  // [rad] the most of any box
-  double apart = 0;   // [m, rad] the largest difference of a place or an angle
-};
-List<TurningRun> run_turning();
-void print_turning(Lesson& lesson, const List<TurningRun>& runs);
-void check_turning(Lesson& lesson, const List<TurningRun>& runs);
 
 }  // namespace cairn::tower

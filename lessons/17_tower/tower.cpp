@@ -110,9 +110,7 @@ double gap_to_box2d(const TowerRuns& runs) {
                   largest_gap(runs.cold[1].loads, runs.cold[2].loads, steps_as_tower(runs.cold)));
 }
 
-double gap_asked(const TowerRuns& runs) {
-  return std::abs(runs.warm[2].loads[asked_step][0] - runs.warm[1].loads[asked_step][0]);
-}
+int middle_box(const TowerRuns& runs) { return (runs.settings.boxes - 1) / 2; }
 
 double gap_of_orders(const TowerRuns& runs) {
   return largest_gap(runs.warm[1].loads, runs.from_top[1].loads, steps_as_tower(runs.from_top));

@@ -14,7 +14,7 @@ const LessonCard lesson18(
      .equations =
          {"      error after k sweeps ≈ constant × ρᵏ          one digit: ln 10 / −ln ρ sweeps",
           "(28)  Gauss-Seidel, PGS or SI:  ρ = cos²(π/2n)     for a tower of n boxes",
-          "      Jacobi, half steps:       ρ = cos²(π/4n)",
+          "      Jacobi, ω = ½:            ρ = cos²(π/4n)",
           "      SOR, Δλ times ω:          ρ = ω − 1            at the best ω = 2 / (1 + sin(π/2n))"},
      .needs = {"lesson 03", "lesson 16"},
      .reads = {"src/solvers/solver.hpp", "lessons/sandbox/CHOOSING.md"},
@@ -22,7 +22,6 @@ const LessonCard lesson18(
          "Ten boxes: after 178 sweeps of SI 1\u00a0% of the error is left. Now multiply every correction by "
          "1.73 before you give it, and change nothing else. How many sweeps leave 1\u00a0%?",
      .spoilers = {"21 sweeps", "7.3", "829"},
-     .unasked = {"sweeps"},
      .wrong = {{{95}, {110}, "That is 178 / 1.73. But what is left multiplies from sweep to sweep."},
                {{170},
                 {2000},
@@ -34,9 +33,7 @@ const LessonCard lesson18(
           "is.",
           "0.73 to the power of k is 1 %; and some sweeps more, since the first ones leave 0.83 to 0.85."},
      .parameters = {{"bodies", 10, 2, 30, "", "boxes", Parameter::Kind::whole},
-                    {"omega", 0, 0, 1.99, "", "relaxation of SOR; 0: the best"},
-                    {"sweeps", 10, 1, 100, "", "sweeps in each step of the warm run",
-                     Parameter::Kind::whole}},
+                    {"omega", 0, 0, 1.99, "", "relaxation of SOR; 0: the best"}},
      .cover = 1,
      .next = "bash lessons/run 19   (where it breaks, and how you notice)"});
 

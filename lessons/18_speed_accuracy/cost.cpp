@@ -36,24 +36,6 @@ class CurveObserver final : public SolveObserver<Real> {
   List<double> exact_ = {};
 };
 
-/// A step after the other; boxes stay where they are, as their overlaps ask for nothing (β = 0).
-List<double> follow_frames(const CostSettings& settings, bool is_warm) {
-  VelocityProblem<double> problem = tower_problem(settings.boxes);
-  const List<double> exact = exact_lambda(settings.boxes);
-  SequentialImpulse<double> solver({.iterations = settings.sweeps});
-  List<double> errors = {1};
-  for (int frame = 1; frame <= frames; ++frame) {
-    if (!is_warm) std::fill(problem.impulse.begin(), problem.impulse.end(), 0.0);
-    solver.solve(problem);
-    List<double> lambda;
-    for (const double impulse : problem.impulse) lambda.push_back(impulse / time_step);
-    errors.push_back(error_of(lambda, exact));
-    for (const BodyId body : problem.velocity.indices())
-      if (body != ground) problem.velocity[body].y() -= gravity * time_step;
-  }
-  return errors;
-}
-
 Matrix<double> tower_matrix(int boxes) {
   Matrix<double> A = Matrix<double>::Zero(boxes, boxes);
   for (int i = 0; i < boxes; ++i) {
@@ -129,7 +111,6 @@ void watch(Solver<Real>& solver, int boxes, double least, Curve& curve) {
   VelocityProblem<Real> problem = converted<Real>(tower_problem(boxes));
   solver.solve(problem, &observer);
 }
-template void watch<float>(Solver<float>&, int, double, Curve&);
 template void watch<double>(Solver<double>&, int, double, Curve&);
 
 int most_sweeps(int boxes) { return 2 * boxes * boxes + 20; }
@@ -148,10 +129,7 @@ void look_closer(CostRun& run) {
   const int boxes = run.settings.boxes;
   const int sweeps = static_cast<int>(1.4 * run.curves[si_curve].error.size());
   ProjectedGaussSeidel<double> pgs({.iterations = sweeps});
-  SequentialImpulse<float> single({.iterations = sweeps});
   watch<double>(pgs, boxes, 0, run.pgs);
-  watch<float>(single, boxes, 0, run.single);
-  run.frames = {.warm = follow_frames(run.settings, true), .cold = follow_frames(run.settings, false)};
   run.non_zeros = coupled_pairs(tower_problem(boxes));
   Scene scene;
   scene.add_ground();

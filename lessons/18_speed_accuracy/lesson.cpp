@@ -2,7 +2,7 @@
 // After a few sweeps every further one leaves the same share ρ of the error, so that k sweeps leave about ρᵏ,
 // and each digit costs as many sweeps as the one before. A tower of boxes, one step from nothing: four
 // solvers, each watched sweep by sweep. One of them differs from SI by a single factor, ω, and needs a
-// twelfth of the sweeps. Then larger towers, fewer bits, and warm starts.
+// twelfth of the sweeps. Then larger towers.
 #include "lesson.hpp"
 
 namespace {
@@ -29,56 +29,6 @@ List<double> errors_by_hand(int n, double omega, int sweeps) {
   return errors;
 }
 
-/// ½ λᵀ A λ − bᵀ λ of the tower.
-double energy_of(const List<double>& lambda) {
-  double energy = -gravity * lambda[0];
-  for (int i = 0; i < lambda.size(); ++i) {
-    double product = (i == 0 ? 1 : 2) * lambda[i];  // (A λ)_i
-    if (i > 0) product -= lambda[i - 1];
-    if (i + 1 < lambda.size()) product -= lambda[i + 1];
-    energy += 0.5 * lambda[i] * product;
-  }
-  return energy;
-}
-
-/// A sweep of Gauss-Seidel. @returns Σ ½ A_ii Δλ_i², the energy that its row updates take.
-double sweep_rows(List<double>& lambda) {
-  double taken = 0;
-  for (int i = 0; i < lambda.size(); ++i) {
-    const double diagonal = i == 0 ? 1 : 2, old = lambda[i];
-    double sum = i == 0 ? gravity : lambda[i - 1];
-    if (i + 1 < lambda.size()) sum += lambda[i + 1];
-    lambda[i] = std::max(0.0, sum / diagonal);
-    taken += 0.5 * diagonal * (lambda[i] - old) * (lambda[i] - old);
-  }
-  return taken;
-}
-
-/// Gauss-Seidel with momentum, over A λ = b of the tower.
-List<double> errors_with_momentum(int n, int sweeps) {
-  const List<double> exact = exact_lambda(n);
-  List<double> lambda(n, 0.0), last = lambda;
-  List<double> errors = {error_of(lambda, exact)};
-  // [momentum]
-  int k = 1;
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const List<double> before = lambda;
-    for (int i = 0; i < n; ++i)
-      lambda[i] = std::max(0.0, lambda[i] + (k - 1.0) / (k + 2.0) * (lambda[i] - last[i]));
-    const double taken = sweep_rows(lambda);  // Σ ½ A_ii Δλ_i²
-    last = before;
-    if (k == 1 || energy_of(lambda) <= energy_of(before) - taken / 2) {
-      k += 1;
-    } else {  // too far: undo it, and begin without momentum
-      lambda = before;
-      k = 1;
-    }
-    errors.push_back(error_of(lambda, exact));
-  }
-  // [/momentum]
-  return errors;
-}
-
 /// Sweeps until least_error, and some: a rate multiplies by itself, SOR's for a while a little more slowly.
 int enough_sweeps(double rate) {
   return 200 + static_cast<int>(1.5 * std::log(least_error / 100) / std::log(rate));
@@ -88,7 +38,7 @@ int enough_sweeps(double rate) {
 List<Curve> watch_four(int boxes, double omega) {
   const double cosine = jacobi_rate(boxes);
   List<Curve> curves = {{.name = "SI", .work = 3.0 * boxes - 2, .rate = cosine * cosine},
-                        {.name = "Jacobi, half steps", .work = 4.0 * boxes - 2, .rate = (1 + cosine) / 2},
+                        {.name = "Jacobi, ω = ½", .work = 4.0 * boxes - 2, .rate = (1 + cosine) / 2},
                         {.name = fmt::format("SOR, ω = {:.4g}", omega),
                          .work = 4.0 * boxes - 2,
                          .rate = sor_rate(boxes, omega)},
@@ -104,14 +54,11 @@ List<Curve> watch_four(int boxes, double omega) {
   watch<double>(accelerated, boxes, least_error, curves[accelerated_curve]);
   curves[si_curve].by_hand = errors_by_hand(boxes, 1, kept_sweeps);
   curves[sor_curve].by_hand = errors_by_hand(boxes, omega, kept_sweeps);
-  curves[accelerated_curve].by_hand = errors_with_momentum(boxes, kept_sweeps);
   return curves;
 }
 
 void run(Lesson& lesson) {
-  CostRun all{.settings = {.boxes = lesson.whole("bodies"),
-                           .omega = lesson.real("omega"),
-                           .sweeps = lesson.whole("sweeps")}};
+  CostRun all{.settings = {.boxes = lesson.whole("bodies"), .omega = lesson.real("omega")}};
   const int boxes = all.settings.boxes;
   lesson.print(
       fmt::format("Scene: {} boxes of 1 kg upon each other, one row each; g = {:g} m/s², Δt = {:g} s; one "

@@ -10,13 +10,11 @@ inline constexpr double gravity = 10;         // [m/s^2]
 inline constexpr double time_step = 0.02;     // [s]
 inline constexpr double least_error = 1e-12;  // below it a curve ends
 inline constexpr int kept_sweeps = 200;       // of which all lambda are kept
-inline constexpr int frames = 50;             // of the warm run
 inline constexpr FixedList<int, 4> tower_sizes = {3, 5, 10, 20};
 
 struct CostSettings {
   int boxes = 10;
   double omega = 0;  // of SOR; 0: the best
-  int sweeps = 10;   // of each step of the warm run
 };
 
 /// One solver on the tower. Index: the sweep; 0 is before the first. Errors are max |lambda - exact| over the
@@ -30,8 +28,9 @@ struct Curve {
   List<double> by_hand = {};       // the same errors by plain loops, of the first kept_sweeps
 };
 
-/// In the order of CostRun::curves.
+/// In the order of CostRun::curves. The first three are watched sweep by sweep.
 enum : int { si_curve, jacobi_curve, sor_curve, accelerated_curve };
+inline constexpr int watched_curves = 3;
 
 /// Sweeps of one tower size until no load is wrong by more than 1 %.
 struct SizeCost {
@@ -41,20 +40,13 @@ struct SizeCost {
   int by_hand = 0;  // as si
 };
 
-struct WarmRun {
-  List<double> warm = {};  // error after each step; 0: before the first
-  List<double> cold = {};
-};
-
 struct CostRun {
   CostSettings settings = {};
   double omega = 1;       // of SOR
   double best_omega = 1;  // by formula
   List<Curve> curves = {};
-  Curve pgs = {};     // without end at least_error
-  Curve single = {};  // SI in float, as many sweeps
+  Curve pgs = {};  // without end at least_error
   List<SizeCost> sizes = {};
-  WarmRun frames = {};
   std::ptrdiff_t non_zeros = 0;  // of A
   Snapshot tower = {};
 };
@@ -70,7 +62,7 @@ void watch(Solver<Real>& solver, int boxes, double least, Curve& curve);
 SizeCost sweeps_to_one_percent(int boxes);
 int most_sweeps(int boxes);
 
-/// The rest of a run that has its curves: other digits, warm frames, and the tower to draw.
+/// The rest of a run that has its curves: those of PGS, the entries of A, and the tower to draw.
 void look_closer(CostRun& run);
 
 /// (n - i) g [N]: what each box has to be given, from the ground up.
@@ -96,7 +88,7 @@ double error_energy(const List<double>& lambda);
 /// for this kind of row, and nothing to look up. The impulses after so many sweeps [N s].
 List<double> tower_only(int boxes, int sweeps);
 
-void check_tower(Lesson& lesson, const CostSettings& settings);
+void check_tower(Lesson& lesson, int boxes);
 
 VelocityProblem<double> tower_problem(int boxes);
 
@@ -107,11 +99,11 @@ void report(Lesson& lesson, const CostRun& run);
 
 CsvTable errors_table(const CostRun& run);
 
-/// The tower's loads sweep by sweep, errors against sweeps and work, and what moves them.
+/// The tower's loads sweep by sweep, and errors against sweeps and work.
 List<Shot> cost_shots(const CostRun& run);
 
-/// Digits and sizes.
-List<Shot> digit_shots(const CostRun& run);
+/// Errors against sweeps, and against products.
+Shot work_shot(const CostRun& run);
 
 /// In the order of CostRun::curves: SI, Jacobi, SOR, momentum.
 SeriesStyle style_of(const Page& page, int curve);

@@ -1,4 +1,4 @@
-// The tower and its loads, sweep by sweep under four solvers; the question, and the answer.
+// The tower and its loads, sweep by sweep under three solvers; the question, and the answer.
 #include "lesson.hpp"
 
 namespace cairn::cost {
@@ -18,7 +18,15 @@ double error_after(const Curve& curve, int sweep) {
 
 std::string error_text(double error) {
   if (error <= least_error) return "< 10^{−12}";
-  return error > 5e-4 ? fixed(100 * error, 1) + " %" : significant(error, 2);
+  if (error <= 5e-4) return significant(error, 2);
+  return fmt::format("{:g} %", error > 0.05 ? std::round(100 * error) : std::round(1000 * error) / 10);
+}
+
+/// SI and SOR have one colour: panels of SOR are pale.
+SeriesStyle panel_style(const Page& page, int which) {
+  SeriesStyle style = style_of(page, which);
+  if (which == sor_curve) style.color = render::faded(style.color, 0.4);
+  return style;
 }
 
 /// The tower; beside each box what a solver gives it after so many sweeps, and a tick at what it should be.
@@ -26,12 +34,13 @@ void draw_tower(Page& page, const Rect& inside, const CostRun& run, int which, i
   draw_tower_loads(page, inside, run.tower, lambda_after(run.curves[which], sweep),
                    {.box_weight = gravity,
                     .largest = 1.05 * exact_lambda(run.settings.boxes)[0],
-                    .color = style_of(page, which).color});
+                    .color = panel_style(page, which).color});
 }
 
 /// A solver's loads, and its error in large type where the bars are short.
-void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int sweep) {
-  const Rect inside = draw_solver_panel(page, rect, style_of(page, which), short_name(run, which), "");
+void draw_loads(Page& page, const Rect& rect, const CostRun& run, int which, int sweep,
+                const std::string& number = "") {
+  const Rect inside = draw_solver_panel(page, rect, panel_style(page, which), short_name(run, which), number);
   draw_tower(page, inside, run, which, sweep);
   TextStyle text = page.value();
   text.size = page.sizes().question;
@@ -58,9 +67,9 @@ Plot error_plot(double last_sweep, AxisScale scale, double least) {
 
 void draw_sweep(Page& page, const CostRun& run, int sweep) {
   const List<Rect> parts = in_rows(page, {0.54, 0.46});
-  const List<Rect> panels = in_columns(page, parts[0], {1, 1, 1, 1});
+  const List<Rect> panels = in_columns(page, parts[0], {1, 1, 1});
   Plot plot = error_plot(kept_sweeps, AxisScale::logarithmic, 1e-6);
-  for (int which = 0; which < run.curves.size(); ++which) {
+  for (int which = 0; which < watched_curves; ++which) {
     draw_loads(page, panels[which], run, which, sweep);
     plot.series.push_back(series_of(page, run, which, kept_sweeps));
   }
@@ -71,7 +80,7 @@ void draw_sweep(Page& page, const CostRun& run, int sweep) {
 
 Shot sweep_shot(const CostRun& run, int sweep, bool key) {
   std::string alt = fmt::format("After {} sweeps the largest error is", sweep);
-  for (int which = 0; which < run.curves.size(); ++which)
+  for (int which = 0; which < watched_curves; ++which)
     alt += fmt::format(" {:.2g} with {},", error_after(run.curves[which], sweep), run.curves[which].name);
   alt.back() = '.';
   return {.state = fmt::format("sweep {} · ticks: exact loads", sweep),
@@ -82,23 +91,13 @@ Shot sweep_shot(const CostRun& run, int sweep, bool key) {
 
 std::string point_text(int sweep, const std::string& error) { return fmt::format("{}: {}", sweep, error); }
 
-/// The tower, and SI's error until 1 % is left.
+/// The tower three times, with SI's loads after ten sweeps, and where 10 % and 1 % of the error are left.
 void draw_question(Page& page, const Rect& rect, const CostRun& run) {
-  const List<Rect> parts = in_columns(page, rect, {0.44, 0.56});
+  const List<Rect> parts = in_columns(page, rect, {1, 1, 1});
   const List<double>& error = run.curves[si_curve].error;
-  const int tenth = sweeps_to(error, 0.1), hundredth = sweeps_to(error, 0.01);
-  draw_tower(page, page.panel(parts[0], fmt::format("λ after {} sweeps of SI, tick: exact", hundredth)), run,
-             si_curve, hundredth);
-  Plot plot = error_plot(1.3 * hundredth, AxisScale::linear, 0);
-  const SeriesStyle asked{page.theme().text, {}, Marker::circle};
-  plot.series = {series_of(page, run, si_curve, hundredth), {.style = asked, .line = false}};
-  plot.series[0].name.clear();
-  plot.series[0].markers = false;
-  for (const int sweep : {tenth, hundredth}) plot.series[1].add(sweep, error[sweep]);
-  plot.labels = {{static_cast<double>(tenth), error[tenth], point_text(tenth, "10 %")},
-                 {static_cast<double>(hundredth), error[hundredth], point_text(hundredth, "1 %")}};
-  plot.title = fmt::format("error of SI; with ω = {}: ? sweeps to 1 %", fixed(run.omega, 2));
-  draw_plot(page, parts[1], plot);
+  const FixedList<int, 3> sweeps = {10, sweeps_to(error, 0.1), sweeps_to(error, 0.01)};
+  for (int i = 0; i < sweeps.size(); ++i)
+    draw_loads(page, parts[i], run, si_curve, sweeps[i], fmt::format("{} sweeps", sweeps[i]));
 }
 
 /// The errors of SI and SOR until a billionth is left, and a stair of which each step is one digit of SI.
@@ -114,26 +113,25 @@ void draw_answer(Page& page, const Rect& rect, const CostRun& run) {
     if (digit > 2 && digit < 9)
       plot.labels.push_back({sweep, share / 3, fmt::format("+{:g}", sweep - before)});
     share /= 10;
-    if (digit <= 2)
+    if (digit <= 2) {
+      const std::string name = digit == 1 ? "SI, " : "";
       plot.labels.push_back(
-          {sweep, share, point_text(static_cast<int>(sweep), fixed(100 * share, 0) + " %")});
+          {sweep, share, name + point_text(static_cast<int>(sweep), fixed(100 * share, 0) + " %")});
+    }
     if (digit == 9) plot.labels.push_back({sweep, share, point_text(static_cast<int>(sweep), "10^{−9}")});
     before = sweep;
   }
   plot.series = {series_of(page, run, si_curve, static_cast<int>(before)), stair,
                  series_of(page, run, sor_curve, sweeps_to(run.curves[sor_curve].error, least_asked))};
-  for (const int which : {0, 2}) {
-    plot.series[which].name.clear();
-    plot.series[which].markers = false;
-  }
+  for (const int which : {0, 2}) plot.series[which].name.clear();  // labels name them
   const List<double>& fast = run.curves[sor_curve].error;
   for (const double left : {0.01, least_asked}) {
     const int sweep = sweeps_to(fast, left);
     plot.labels.push_back(
-        {static_cast<double>(sweep), left, point_text(sweep, left > least_asked ? "1 %" : "10^{−9}")});
+        {static_cast<double>(sweep), left,
+         left > least_asked ? "SOR, " + point_text(sweep, "1 %") : point_text(sweep, "10^{−9}")});
   }
-  plot.title = fmt::format("error of SOR with ω = {} (left) and of SI; every step down is one digit",
-                           fixed(run.omega, 2));
+  plot.title = "error, on a logarithmic axis; every step down is one digit";
   draw_plot(page, rect, plot);
 }
 
@@ -155,7 +153,7 @@ SeriesStyle style_of(const Page& page, int curve) {
 }
 
 std::string short_name(const CostRun& run, int curve) {
-  if (curve == jacobi_curve) return "Jacobi ½";
+  if (curve == jacobi_curve) return "Jacobi, ω = ½";
   if (curve == sor_curve) return fmt::format("SOR, ω = {}", fixed(run.omega, 2));
   return curve == si_curve ? "SI" : "momentum";
 }
@@ -164,15 +162,15 @@ List<Shot> cost_shots(const CostRun& run) {
   const int hundredth = sweeps_to(run.curves[si_curve].error, 0.01);
   List<Shot> shots;
   shots.push_back(question_shot(
-      card(),
-      {.state = "until 1 % is left",
-       .alt = fmt::format("A tower of {} boxes with the loads that SI has found after {} sweeps, its error "
-                          "over these sweeps, and the question",
-                          run.settings.boxes, hundredth),
-       .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }}));
+      card(), {.state = "until 1 % is left · ticks: exact loads",
+               .alt = fmt::format(
+                   "A tower of {} boxes three times, with the loads that SI has found after 10, {} and "
+                   "{} sweeps, and the question",
+                   run.settings.boxes, sweeps_to(run.curves[si_curve].error, 0.1), hundredth),
+               .scene = [&run](Page& page, const Rect& rect) { draw_question(page, rect, run); }}));
   for (const int sweep : shown)
     shots.push_back(sweep_shot(run, sweep, sweep == 1 || sweep == 10 || sweep == 50 || sweep == 200));
-  for (const Shot& shot : digit_shots(run)) shots.push_back(shot);
+  shots.push_back(work_shot(run));
   shots.push_back(
       answer_shot(card(),
                   {.state = "answer",

@@ -11,15 +11,14 @@ const LessonCard lesson19(
              "formula says how many, before anything moves.",
      .paper = "paper 4.5, eq (14), (22)",
      .equations = {"(22)  λ = (ζ − j·v) / (j M⁻¹ jᵀ Δt)         two boxes, R = mass above / mass below:",
-                   "      error after k sweeps = (R / (1 + R))ᵏ  about 4.6 R sweeps to 1 %",
-                   "(14)  A λ = b                                two rows that contradict: no λ at all"},
+                   "      error after k sweeps = (R / (1 + R))ᵏ  about 4.6 R sweeps to 1 %"},
      .needs = {"lesson 03", "lesson 06", "lesson 09"},
-     .reads = {"src/study/extremes/extreme.hpp", "src/world/world.cpp", "src/solvers/stopping.hpp"},
+     .reads = {"src/study/extremes/extreme.hpp"},
      .question =
-         "A box of 1\u00a0kg carries one of 100\u00a0kg. How many sweeps until the load on the ground is "
-         "right to 1\u00a0%? And with the light box above?",
+         "A box of 1\u00a0kg carries one of 100\u00a0kg. A sweep visits the ground first. How many sweeps "
+         "until the load on the ground is right to 1\u00a0%? And with the light box above?",
      .spoilers = {"463", "99 %"},
-     .unasked = {"sweeps", "bodies"},
+     .unasked = {"sweeps"},
      .wrong = {{{1, 400},
                 {2, 500},
                 "It is the other way round: think of what one sweep can pass on from the light box."},
@@ -28,9 +27,8 @@ const LessonCard lesson19(
                "One sweep leaves R / (1 + R) of the error: here 100 / 101.",
                "(100 / 101)ᵏ ≤ 1 / 100: take logarithms."},
      .parameters = {{"ratio", 100, 2, 5000, "", "mass of the heavy box over that of the light one"},
-                    {"sweeps", 10, 1, 200, "", "sweeps of SI in every step", Parameter::Kind::whole},
-                    {"bodies", 50, 2, 80, "", "boxes in the tower", Parameter::Kind::whole}},
+                    {"sweeps", 10, 1, 200, "", "sweeps of SI in every step", Parameter::Kind::whole}},
      .cover = 1,
-     .next = "bash lessons/run 20   (the fastest row is the one you do not have)"});
+     .next = "bash lessons/run 20   (only what the scene needs)"});
 
 }  // namespace cairn

@@ -1,40 +1,9 @@
-// Lesson 19. What is not to be stepped at all, what must not matter, and what has no answer.
+// Lesson 19. A heavy box on a light one, and the other way round.
 #pragma once
 
 #include "lessons/kit/kit.hpp"
 
 namespace cairn::edges {
-
-/// A thing that no engine could simulate, and what this one says to it.
-struct Refusal {
-  std::string asked = {};    // "a mass of 0"
-  std::string message = {};  // empty: it was taken
-};
-
-/// A mass of zero, a step of zero, a place that is no number, a rod without length, friction below zero.
-List<Refusal> try_bad_input();
-
-/// What a joint that divides zero by zero leaves behind.
-struct Guarded {
-  int joined = 0;       // the first body of that joint
-  int body = -1;        // the one that the report names; -1: none
-  double moved = 0;     // [m] how far anything has gone in that step
-  bool finite = false;  // whether all numbers of the world are
-};
-Guarded try_not_a_number();
-
-/// How far the heights of a tower differ [m] with all masses multiplied by 2^20, and by 2^-20.
-struct Scaled {
-  double heavy = 0;
-  double light = 0;
-};
-Scaled try_scaled_masses(int sweeps);
-
-/// How far a pendulum with its rod stated twice is from one with its rod stated once, at most [m].
-double try_twice(int sweeps, int steps);
-
-/// Of the two pins in one solve of thousands of sweeps: why it ended.
-Stop try_long_quarrel();
 
 // Two boxes, one upon the other: how many sweeps their masses cost.
 
@@ -72,72 +41,39 @@ int sweeps_by_formula(double ratio, double share = goal);
 /// @throws std::out_of_range for one that was not run.
 const RatioRun& run_of(const List<RatioRun>& runs, double ratio);
 
-// Four small worlds, each driven to where it breaks or does not, and a stamp for each.
+// The same stacks, step by step with a warm start.
 
-struct WallSettings {
+inline constexpr double stack_height = 2;  // [m]
+
+struct StackSettings {
   double ratio = 100;  // of the heavy box
-  int sweeps = 10;     // of SI, in every step of every world
-  int boxes = 50;      // in the tower
+  int sweeps = 10;     // of SI, in every step
   int steps = 60;
 };
 
-/// How a world has come through.
-enum class Stamp {
-  ok,       // off by 1 % at most, and at most 1 % of energy from nowhere
-  soft,     // off by no more than its own size, and as little energy
-  growing,  // the same, but a joint pulls harder and harder: nothing of it is to be seen
-  broken,   // none of these
-};
-std::string stamp_text(Stamp stamp);
-
-struct EdgeCase {
-  std::string name = {};
-  std::string quantity = {};         // what `off` is a share of
-  List<Snapshot> frames = {};        // one for each step, the start first
-  List<double> off_by_step = {};     // 0 is right, 1 as far as the thing is large
-  List<double> energy_by_step = {};  // more than at the start, as a share of what the scene has to spend
-  Aabb<double> view = {};            // [m] what is shown of it
-  double top = 0;                    // [m] where its upper side belongs; 0: it is no stack
+struct StackCourse {
+  double ratio = 1;               // mass above / mass below
+  List<Snapshot> frames = {};     // one for each step, the start first
+  List<double> off_by_step = {};  // of the top, from where it was, as a share of the height
+  List<double> energy_by_step =
+      {};  // more than at the start, as a share of that of both masses at the height
 };
 
 /// The largest of all steps so far.
 double worst(const List<double>& by_step, int step);
-/// What the first joint gives in a step [N]; 0 if there is none.
-double pull_of(const EdgeCase& edge, int step);
-/// By the steps so far.
-Stamp stamp_of(const EdgeCase& edge, int step);
-
-/// A scene, and what is measured of it.
-struct SmallWorld {
-  EdgeCase edge = {};
-  Scene scene = Scene();
-  double budget = 0;  // [J] the energy that it has to spend; infinite where errors in positions bring some
-  std::function<double(const Snapshot&)> off = {};
-};
-
-/// In this order: heavy on light, light on heavy, the tower, two pins that contradict each other.
-List<SmallWorld> small_worlds(const WallSettings& settings);
-
-inline constexpr int two_pins = 3;
-inline constexpr double pins_apart = 0.4;  // [m]
-inline constexpr double pins_beta = 0.2;
-
-/// One body, pinned in the middle to two places. It stands where the second pin wants it.
-Scene two_pins_scene();
-/// What each of the two pins pulls with after a step [N], by formula: in every sweep one gives m beta d / dt
-/// more, which the other takes back.
-double quarrel_by_formula(const WallSettings& settings, int step);
+/// Whether the top has been off by at most 1 % of the height so far, and the energy up by at most 1 %.
+bool is_ok(const StackCourse& course, int step);
+std::string verdict(bool is_good);
 
 // What is printed, checked and drawn.
 
 struct ExtremesRun {
-  WallSettings settings = {};
+  StackSettings settings = {};
   List<RatioRun> ratios = {};
-  List<EdgeCase> wall = {};
-  List<Refusal> refusals = {};
+  List<StackCourse> courses = {};  // the heavy box above, and below
 };
 
-/// Prints ratios, worlds, refusals and the answer, and checks every claim.
+/// Prints ratios, stacks and the answer, and checks every claim.
 void report(Lesson& lesson, const ExtremesRun& run);
 
 CsvTable numbers_table(const ExtremesRun& run);
@@ -147,9 +83,9 @@ std::string name_of(double ratio);
 
 /// The ground and two boxes with their masses on them, the heavy one darker.
 void draw_boxes(Page& page, const Camera& camera, const Snapshot& now, double ratio);
-/// Four worlds, step by step.
-List<Shot> wall_shots(const ExtremesRun& run);
-/// The question, the two stacks, the above, and the answer.
+/// Both stacks, step by step.
+List<Shot> step_shots(const ExtremesRun& run);
+/// The question, the two stacks sweep by sweep and step by step, and the answer.
 List<Shot> extremes_shots(const ExtremesRun& run);
 
 }  // namespace cairn::edges

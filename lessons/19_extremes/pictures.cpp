@@ -26,7 +26,7 @@ void draw_load(Page& page, const Camera& camera, const RatioRun& run, int sweep)
   page.canvas().rect({left.x(), full.y(), width, left.y() - full.y()},
                      {.outline = page.theme().outline, .outline_width = page.sizes().axis});
   TextStyle text = page.value();
-  page.canvas().text({left.x(), full.y() - 0.5 * text.size}, fmt::format("{:g} N", weight), text);
+  page.canvas().text({left.x(), full.y() - 0.5 * text.size}, fmt::format("right: {:g} N", weight), text);
   text.bold = true;
   if (sweep == 0) return;
   page.canvas().text(
@@ -34,13 +34,26 @@ void draw_load(Page& page, const Camera& camera, const RatioRun& run, int sweep)
       significant(load, 4) + " N", text);
 }
 
+/// Left of a stack, which contact a sweep visits first, and which second.
+void draw_visits(Page& page, const Camera& camera) {
+  const TextStyle text = aligned(page.label(), Align::right);
+  for (const int contact : {0, 1}) {
+    const Point at = camera.project({-0.5, static_cast<double>(contact)}),
+                from = camera.project({-0.85, contact + 0.3});
+    page.canvas().line(from, at, {.width = page.sizes().axis, .color = page.theme().secondary_text});
+    page.canvas().text(from + Point(-4, text.size / 3), contact == 0 ? "visited first" : "visited second",
+                       text);
+  }
+}
+
 /// One stack, its masses written on its boxes, and beside it the load on the ground.
 void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, const std::string& count) {
   const Rect inside = draw_solver_panel(page, rect, style_of(page, run.ratio), name_of(run.ratio), count);
-  const Camera camera = fit(inside, {{-0.7, -0.25}, {1.9, 2.25}});
+  const Camera camera = fit(inside, {{sweep == 0 ? -2.1 : -0.7, -0.25}, {sweep == 0 ? 2.1 : 2.2, 2.25}});
   page.canvas().push_clip(inside);
   draw_boxes(page, camera, snapshot(two_boxes_scene(run.ratio)), run.ratio);
   draw_load(page, camera, run, sweep);
+  if (sweep == 0) draw_visits(page, camera);
   page.canvas().pop_clip();
 }
 
@@ -219,7 +232,7 @@ List<Shot> extremes_shots(const ExtremesRun& run) {
         draw_errors(page, parts[1], run, last);
       }};
   List<Shot> shots = {question_shot(card(), asked)};
-  for (const List<Shot>& part : {ratio_shots(run), wall_shots(run)})
+  for (const List<Shot>& part : {ratio_shots(run), step_shots(run)})
     shots.insert(shots.end(), part.begin(), part.end());
   shots.push_back(answer_shot(
       card(), answered,

@@ -43,6 +43,16 @@ double gap_to_formula(const RatioRun& run) {
   return gap;
 }
 
+double worst(const List<double>& by_step, int step) {
+  return *std::max_element(by_step.begin(), by_step.begin() + step + 1);
+}
+
+bool is_ok(const StackCourse& course, int step) {
+  return worst(course.off_by_step, step) <= 0.01 && worst(course.energy_by_step, step) <= 0.01;
+}
+
+std::string verdict(bool is_good) { return is_good ? "OK" : "BROKEN"; }
+
 const RatioRun& run_of(const List<RatioRun>& runs, double ratio) {
   for (const RatioRun& run : runs) {
     if (run.ratio == ratio) return run;

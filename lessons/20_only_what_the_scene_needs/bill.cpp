@@ -9,8 +9,9 @@ const double pitch = 1.2;    // [m] from box to box in the pyramid
 const double tower_at = 9;   // [m]
 const double chain_at = 18;  // [m]
 const double link = 0.8;     // [m]
+const double friction = 0.6;
 
-void add_pyramid(Scene& scene, double friction) {
+void add_pyramid(Scene& scene) {
   for (int row = 0; row < base; ++row) {
     for (int i = 0; i < base - row; ++i) {
       const double x = (i - 0.5 * (base - row - 1)) * pitch;
@@ -25,7 +26,7 @@ void add_pyramid(Scene& scene, double friction) {
              .material = {.friction = friction}});
 }
 
-void add_tower(Scene& scene, int boxes, double friction) {
+void add_tower(Scene& scene, int boxes) {
   for (int i = 0; i < boxes; ++i)
     scene.add({.shapes = {box(1, 1)},
                .position = {tower_at, 0.5 + i},
@@ -56,21 +57,10 @@ bool touches(const Snapshot& now, BodyId ball) {
 }  // namespace
 
 List<Switches> all_switches() {
-  return {
-      {.name = "everything", .what = "every row, every sweep"},
-      {.name = "one friction row",
-       .what = "one friction row a manifold",
-       .friction_rows = FrictionRows::per_manifold},
-      {.name = "no friction", .what = "and none at all", .friction = 0},
-      {.name = "early exit", .what = "sweeps end at R_E", .ends_early = true},
-      {.name = "exit by island", .what = "each island ends by itself", .ends_early = true, .by_island = true},
-      {.name = "sleep", .what = "islands at rest are left out", .sleeps = true},
-      {.name = "together",
-       .what = "all of them but no friction",
-       .friction_rows = FrictionRows::per_manifold,
-       .ends_early = true,
-       .by_island = true,
-       .sleeps = true}};
+  return {{.name = "everything"},
+          {.name = "early exit", .ends_early = true},
+          {.name = "exit by island", .ends_early = true, .by_island = true},
+          {.name = "sleep", .by_island = true, .sleeps = true}};
 }
 
 Group group_of(const NeedsSettings& settings, BodyId body) {
@@ -83,16 +73,14 @@ Group group_of(const NeedsSettings& settings, BodyId body) {
 BodyId ball_of(const NeedsSettings&) { return {pyramid_boxes + 1}; }
 
 Scene scene_of(const NeedsSettings& settings, const Switches& switches, const List<Thing>& things) {
-  SceneSettings rules{.gravity = {0, -10},
-                      .dt = time_step,
-                      .stabilization = {.policy = StabilizationPolicy::baumgarte},
-                      .friction_rows = switches.friction_rows};
+  SceneSettings rules{
+      .gravity = {0, -10}, .dt = time_step, .stabilization = {.policy = StabilizationPolicy::baumgarte}};
   if (switches.sleeps) rules.sleeping = Sleeping{};
   Scene scene(rules);
-  scene.add_ground({.material = {.friction = switches.friction}});
+  scene.add_ground({.material = {.friction = friction}});
   for (const Thing thing : things) {
-    if (thing == Thing::pyramid_and_ball) add_pyramid(scene, switches.friction);
-    if (thing == Thing::tower) add_tower(scene, settings.tower, switches.friction);
+    if (thing == Thing::pyramid_and_ball) add_pyramid(scene);
+    if (thing == Thing::tower) add_tower(scene, settings.tower);
     if (thing == Thing::chain) add_chain(scene, settings.links);
   }
   return scene;
@@ -110,14 +98,9 @@ double largest_distance(const List<Snapshot>& first, const List<Snapshot>& secon
   return largest;
 }
 
-int rows_by_formula(const NeedsSettings& settings, const Switches& switches) {
+int rows_by_formula(const NeedsSettings& settings) {
   const int manifolds = base * base + settings.tower;
-  int rows = 2 * manifolds;  // normals
-  if (switches.friction > 0) {
-    const bool shared = switches.friction_rows == FrictionRows::per_manifold;
-    rows += shared ? manifolds : 2 * manifolds;
-  }
-  return rows + 2 * settings.links;
+  return 4 * manifolds + 2 * settings.links;
 }
 
 StageMean mean_of(const BillRun& run, int stage) {

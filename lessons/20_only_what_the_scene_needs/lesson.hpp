@@ -21,19 +21,14 @@ struct NeedsSettings {
 /// What is left out.
 struct Switches {
   std::string name = {};
-  std::string what = {};
-  FrictionRows friction_rows = FrictionRows::per_point;
-  double friction = 0.6;    // mu; 0: no rows of friction at all
   bool ends_early = false;  // a step ends at the tolerance
   bool by_island = false;   // and each island has an end of its own
   bool sleeps = false;
 };
 
-/// In this order: everything, one row of friction a manifold, no friction, early exit, early exit by islands,
-/// sleep, all of them but no friction.
+/// In this order: everything, early exit, early exit by islands, sleep.
 List<Switches> all_switches();
-inline constexpr int everything = 0, shared_friction = 1, no_friction = 2, early = 3, by_islands = 4,
-                     sleeping = 5, all_free = 6;
+inline constexpr int everything = 0, early = 1, by_islands = 2, sleeping = 3;
 
 /// Rows and sweeps of one stage in one step.
 struct StageBill {
@@ -58,7 +53,6 @@ struct BillRun {
   long long updates = 0;       // of all steps
   double seconds = 0;          // that the steps took, on this machine
   double off_before = 0;       // [m] from the reference, before the ball touches anything
-  double off_after = 0;        // [m] boxes of the pyramid, from then on
 };
 
 struct NeedsRun {
@@ -119,8 +113,8 @@ BodyId ball_of(const NeedsSettings& settings);
 double largest_distance(const List<Snapshot>& first, const List<Snapshot>& second, int from, int last,
                         int bodies);
 
-/// Rows of the scene in step 1, with so many behind each contact point and so many behind each manifold.
-int rows_by_formula(const NeedsSettings& settings, const Switches& switches);
+/// Rows of the scene in step 1.
+int rows_by_formula(const NeedsSettings& settings);
 
 // What is printed, checked and drawn.
 
@@ -141,14 +135,7 @@ void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, const SceneVi
 /// "40 rows × 50 sweeps": what each island takes in a step; before the first step only its rows.
 List<std::string> swept_lines(const NeedsRun& all, int run, int step);
 
-/// How far a body ends from where it should be [m], and the box for which that is most.
-double off_at_end(const NeedsRun& all, int run, BodyId body);
-BodyId farthest_box(const NeedsRun& all, int run);
-
-/// The pyramid and the ball at the end of one of the runs.
-void draw_pyramid(Page& page, const Rect& rect, const NeedsRun& all, int run);
-
-/// The question, the bill step by step, all of it, what to take when, and the answer.
+/// The question, the bill step by step, asleep and awake, and the answer.
 List<Shot> needs_shots(const NeedsRun& all);
 
 }  // namespace cairn::needs

@@ -13,29 +13,32 @@ SeriesStyle style_of(const Page& page, int run) {
   return run == by_islands ? styles[1] : SeriesStyle{.color = page.theme().body};
 }
 
-/// Horizontal bars, a number for each switch.
-void draw_amounts(Page& page, const Rect& rect, std::string_view title, const NeedsRun& all,
-                  const List<double>& amounts, const std::string& unit, int digits) {
-  const Rect inside = page.panel(rect, title);
+/// The updates of all steps, in per cent of those of the run that leaves nothing out.
+double share_of(const NeedsRun& all, int run) {
+  return 100 * static_cast<double>(all.runs[run].updates) / static_cast<double>(all.runs[everything].updates);
+}
+
+/// What each run leaves, as horizontal bars.
+void draw_shares(Page& page, const Rect& rect, const NeedsRun& all) {
+  const Rect inside = page.panel(rect, "row updates of all steps");
   const TextStyle name = page.label();
   TextStyle value = page.label();
   value.bold = true;
   double names = 0;
   for (const BillRun& run : all.runs)
     names = std::max(names, page.canvas().text_width(run.switches.name, value));
-  const double most = std::max(1.0, *std::max_element(amounts.begin(), amounts.end()));
   const double left = inside.x + names + 10;
   const double longest = inside.x + inside.width - left - page.canvas().text_width("9999999", value);
-  const double line = inside.height / amounts.size();
-  for (int i = 0; i < amounts.size(); ++i) {
-    const double middle = inside.y + line * (i + 0.5), width = longest * amounts[i] / most;
+  const double line = inside.height / all.runs.size();
+  for (int i = 0; i < all.runs.size(); ++i) {
+    const double middle = inside.y + line * (i + 0.5), width = longest * share_of(all, i) / 100;
     const double base = middle + 0.36 * name.size;
     page.canvas().text({inside.x, base}, all.runs[i].switches.name,
                        i == early || i == by_islands ? value : name);
     page.canvas().rect(
         {left, middle - 0.32 * line, width, 0.64 * line},
         {.fill = style_of(page, i).color, .outline = page.theme().outline, .outline_width = 1});
-    page.canvas().text({left + width + 6, base}, fixed(amounts[i], digits) + unit, value);
+    page.canvas().text({left + width + 6, base}, fixed(share_of(all, i), 0) + " %", value);
   }
 }
 
@@ -61,17 +64,6 @@ void draw_areas(Page& page, const Rect& rect, const NeedsRun& all, int step) {
                        fmt::format("{} {}", names[i], stages[i].rows * stages[i].sweeps), text);
     left += width + gap;
   }
-}
-
-/// The updates of all steps, in per cent of those of the run that leaves nothing out.
-double share_of(const NeedsRun& all, int run) {
-  return 100 * static_cast<double>(all.runs[run].updates) / static_cast<double>(all.runs[everything].updates);
-}
-
-void draw_shares(Page& page, const Rect& rect, const NeedsRun& all) {
-  List<double> shares;
-  for (int i = 0; i < all.runs.size(); ++i) shares.push_back(share_of(all, i));
-  draw_amounts(page, rect, "row updates of all steps", all, shares, " %", 0);
 }
 
 /// A line that is level in each step.
@@ -113,46 +105,17 @@ Shot step_shot(const NeedsRun& all, int step, bool key) {
           .key = key};
 }
 
-/// Asleep, and awake again, in the run with all switches but one.
+/// Asleep, and awake again, in the run that sleeps.
 void draw_sleep(Page& page, const NeedsRun& all) {
   const List<Rect> parts = in_rows(page, {0.5, 0.5});
   for (int i = 0; i < parts.size(); ++i) {
     const int step = all.touch + (i == 0 ? -2 : 2);
     draw_scene(page, parts[i], all,
-               {.title = fmt::format("all switches but \"no friction\", step {}; pale: asleep", step),
-                .run = all_free,
+               {.title = fmt::format("sleep: step {}; pale: asleep", step),
+                .run = sleeping,
                 .step = step,
-                .lines = swept_lines(all, all_free, step)});
+                .lines = swept_lines(all, sleeping, step)});
   }
-}
-
-/// What each switch saves, and how much farther off it leaves bodies before the ball hits.
-void draw_prices(Page& page, const NeedsRun& all) {
-  const double usual = all.runs[everything].off_before;
-  List<double> prices;
-  for (const BillRun& run : all.runs) prices.push_back(1000 * std::max(0.0, run.off_before - usual));
-  const List<Rect> parts = in_rows(page, {{0.66, {1, 1}}, 0.34});
-  draw_shares(page, parts[0], all);
-  draw_amounts(page, parts[1], "price: farther off by, before the ball hits", all, prices, " mm", 1);
-  page.note(
-      parts[2], "Farther off",
-      fmt::format("With every row and every sweep the top of the tower is {} mm from its place in a run "
-                  "swept to R_{{E}} = 10^{{−6}}. Ending early adds nothing to that. One friction row for two "
-                  "adds a little, and no friction as much, until the ball comes.",
-                  fixed(1000 * usual, 1)));
-}
-
-/// What becomes of the pyramid without friction, beside what should.
-void draw_ruin(Page& page, const NeedsRun& all) {
-  const List<Rect> parts = in_rows(page, {{0.62, {0.5, 0.5}}, 0.38});
-  draw_pyramid(page, parts[0], all, everything);
-  draw_pyramid(page, parts[1], all, no_friction);
-  page.note(
-      parts[2], "No friction",
-      fmt::format("It saves nearly half of the row updates, and until the ball comes little is lost without "
-                  "the rows that it leaves out. Then a row of boxes slides out: one of them ends {} m off.",
-                  fixed(off_at_end(all, no_friction, farthest_box(all, no_friction)), 2)),
-      question_growth);
 }
 
 /// "1820 of 2000": what each island takes by itself, and what all sweeps would be.
@@ -169,11 +132,8 @@ std::string answer_text(const NeedsRun& all) {
   return fmt::format(
       "{:.0f} %. In one piece, a step ends for all together, mostly late, because of the tower. By itself "
       "the "
-      "pyramid, with the most rows, stops after {:.0f} sweeps on average. Sleep leaves {:.0f} %, all "
-      "together "
-      "{:.0f} %.",
-      share_of(all, by_islands), mean_of(all.runs[by_islands], 0).sweeps, share_of(all, sleeping),
-      share_of(all, all_free));
+      "pyramid, with the most rows, stops after {:.0f} sweeps on average.",
+      share_of(all, by_islands), mean_of(all.runs[by_islands], 0).sweeps);
 }
 
 /// Steps worth a frame of their own: the first, asleep, touched, the last.
@@ -216,17 +176,6 @@ List<Shot> needs_shots(const NeedsRun& all) {
   std::set<int> steps = keys;
   for (int step = 2; step < all.settings.steps; step += 2) steps.insert(step);
   for (const int step : steps) shots.push_back(step_shot(all, step, keys.contains(step)));
-  shots.push_back(
-      key_shot(all, "what it saves, and its price",
-               "Two panels of bars: the row updates that each switch leaves, and how much farther off "
-               "bodies are, 0 to 5 mm.",
-               draw_prices));
-  if (all.touch > 0) {
-    shots.push_back(key_shot(
-        all, fmt::format("step {}, with and without friction", all.settings.steps),
-        "The pyramid after the hit: it stands with friction; without it a row of boxes has slid out.",
-        draw_ruin));
-  }
   if (all.touch > 2 && all.touch + 2 <= all.settings.steps) {
     shots.push_back(key_shot(all, fmt::format("the steps {} and {}", all.touch - 2, all.touch + 2),
                              "The scene twice: the pyramid is asleep and has no rows; then the ball has "

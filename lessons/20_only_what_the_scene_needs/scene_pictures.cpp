@@ -86,38 +86,4 @@ void draw_scene(Page& page, const Rect& rect, const NeedsRun& all, const SceneVi
   page.canvas().pop_clip();
 }
 
-BodyId farthest_box(const NeedsRun& all, int run) {
-  BodyId farthest = {1};
-  for (int i = 1; i <= pyramid_boxes; ++i)
-    if (off_at_end(all, run, {i}) > off_at_end(all, run, farthest)) farthest = {i};
-  return farthest;
-}
-
-double off_at_end(const NeedsRun& all, int run, BodyId body) {
-  const Vec2<double> here = all.runs[run].frames.back().bodies[body].pose.position;
-  return (here - all.reference.frames.back().bodies[body].pose.position).norm();
-}
-
-void draw_pyramid(Page& page, const Rect& rect, const NeedsRun& all, int run) {
-  const Rect inside = page.panel(rect, all.runs[run].switches.name + "; thin: where it should be");
-  const Camera camera = fit(inside, {{-5.2, -0.45}, {4.2, 5.3}});
-  page.canvas().push_clip(inside);
-  const Snapshot& should = all.reference.frames.back();
-  const Snapshot& now = all.runs[run].frames.back();
-  draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
-  draw_ghosts(page, camera, {&should, 1});
-  const BodyId box = farthest_box(all, run);
-  const double off = off_at_end(all, run, box);
-  if (off > 0.1) {  // [m]
-    const Point from = camera.project(should.bodies[box].pose.position);
-    const Point to = camera.project(now.bodies[box].pose.position);
-    draw_length(page, from, to, {.width = 3, .color = page.theme().normal});
-    TextStyle text = page.value();
-    text.bold = true, text.align = Align::right;
-    page.canvas().text({from.x() - 0.65 * camera.scale, from.y() + text.size / 3}, fixed(off, 2) + " m off",
-                       text);
-  }
-  page.canvas().pop_clip();
-}
-
 }  // namespace cairn::needs

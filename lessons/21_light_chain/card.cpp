@@ -33,7 +33,8 @@ const LessonCard lesson21(
      .parameters = {{"beads", 10, 2, 20, "", "on the chain", Parameter::Kind::whole},
                     {"bead", 0.1, 0.01, 1, "kg", "mass of a bead"},
                     {"load", 50, 0.1, 1e5, "kg", "mass at the lower end, in the pictures"},
-                    {"dt", 0.02, 0.005, 0.05, "s", "time step"}},
+                    {"dt", 0.02, 0.005, 0.05, "s", "time step"},
+                    {"parts", 4, 1, 20, "", "into which (3) cuts a step", Parameter::Kind::whole}},
      .cover = 1,
      .next = "bash lessons/run 22   (what you get if you ask for nothing)"});
 

@@ -87,10 +87,8 @@ List<double> masses_needed(const ChainSettings& settings) {
   const List<double> force = forces_of(settings);
   List<double> masses;
   for (int i = 0; i < settings.beads; ++i) {
-    // [needed]
     const double k = (force[i] + force[i + 1]) / rod_length;  // [N/m] of both rods
     masses.push_back(std::max(settings.bead, settings.dt * settings.dt * k / 2));
-    // [/needed]
   }
   return masses;
 }

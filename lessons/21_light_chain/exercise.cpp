@@ -6,9 +6,9 @@
 
 namespace cairn::exercise21 {
 
-// Bead i hangs on rod i and carries rod i + 1: there is one rod more than beads. Give each bead the least
-// mass with which the fastest swing sideways has ω Δt <= 2, whatever its neighbours do, and never less than
-// it has.
+// Bead i hangs on rod i and carries rod i + 1: there is one rod more than beads. Neighbours that swing
+// against each other stretch each of these springs twice. Give each bead the least mass with which even this
+// swing has ω Δt <= 2, and never less than it has.
 //   force   [N]  with which each rod pulls
 //   length  [m]  of each rod
 //   mass    [kg] of each bead: yours to change

@@ -1,4 +1,5 @@
-// Exercise 21, graded: two beads of which one is heavy enough, and one bead at another step.
+// Exercise 21, graded: two beads of which one is heavy enough, one bead at another step, and a chain in
+// swing.
 #include "exercise.cpp"
 
 namespace cairn::exercise21 {
@@ -44,10 +45,28 @@ void grade_bead(Grade& grade, const Case& each, int i, const std::string& what) 
       mass[i]);
 }
 
+/// Ten beads of 0.1 kg under 50 kg, 1 mm to the left and to the right in turn, with the masses of the reader:
+/// how many are 0.1 m off after 60 steps of 0.02 s. Nail and load stay where they are.
+int beads_lost() {
+  constexpr int beads = 10, steps = 60;
+  constexpr double length = 0.5, dt = 0.02;
+  List<double> force, mass(beads, 0.1), x(beads + 2, 0), v(beads + 2, 0);
+  for (int i = 0; i <= beads; ++i) force.push_back((50 + 0.1 * (beads - i)) * 10);
+  raise_masses(force, List<double>(beads + 1, length), mass, dt);
+  for (int i = 1; i <= beads; ++i) x[i] = i % 2 == 1 ? 0.001 : -0.001;
+  for (int k = 0; k < steps; ++k) {
+    for (int i = 1; i <= beads; ++i)
+      v[i] += dt / mass[i - 1] * (force[i - 1] * (x[i - 1] - x[i]) + force[i] * (x[i + 1] - x[i])) / length;
+    for (int i = 1; i <= beads; ++i) x[i] += dt * v[i];
+  }
+  return static_cast<int>(std::count_if(x.begin(), x.end(), [](double at) { return !(std::abs(at) < 0.1); }));
+}
+
 void grade(Grade& grade) {
   grade_bead(grade, two, 0, ": the light one (kg)");
   grade_bead(grade, two, 1, ": the heavy one (kg)");
   grade_bead(grade, one, 0, ", Δt = 0.05 s (kg)");
+  grade.number({.what = "50 kg on ten beads, 60 steps: beads lost", .value = 0}, beads_lost());
 }
 
 }  // namespace

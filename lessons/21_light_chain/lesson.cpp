@@ -80,8 +80,8 @@ List<ChainRun> run_cures(const ChainSettings& settings, int steps) {
   ChainSettings twice = settings;
   twice.bead *= 2;
   return {run_chain("beads of twice the mass", twice, {}, exact, steps),
-          run("mass Δt² k / 2", {.masses = masses_needed(settings)}),
-          run("steps of a quarter", {.substeps = 4}),
+          run("enough mass", {.masses = masses_needed(settings)}),
+          run("steps of " + part_name(settings), {.substeps = settings.parts}),
           run("the default", {.policy = StabilizationPolicy::relaxed})};
 }
 
@@ -89,12 +89,13 @@ void run(Lesson& lesson) {
   const ChainSettings settings{.beads = lesson.whole("beads"),
                                .bead = lesson.real("bead"),
                                .load = lesson.real("load"),
-                               .dt = lesson.real("dt")};
+                               .dt = lesson.real("dt"),
+                               .parts = lesson.whole("parts")};
   lesson.print(fmt::format("Scene: {} beads of {:g} kg on rods of {:g} m, a load below them, Δt = {:g} s",
                            settings.beads, settings.bead, rod_length, settings.dt));
   lesson.predict();
   ChainRuns runs{.settings = settings};
-  for (const int parts : {1, 2, 4}) {
+  for (const int parts : {1, 2, settings.parts}) {
     ChainSettings finer = settings;
     finer.dt /= parts;
     runs.criticals.push_back(find_critical(finer));
@@ -113,6 +114,10 @@ void run(Lesson& lesson) {
 }
 
 }  // namespace
+
+std::string part_name(const ChainSettings& settings) {
+  return settings.parts == 4 ? "a quarter" : fmt::format("1/{}", settings.parts);
+}
 
 ChainRun run_chain(const std::string& name, const ChainSettings& settings, const ChainRules& rules,
                    Solver<double>& solver, int steps) {

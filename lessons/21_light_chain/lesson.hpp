@@ -16,6 +16,7 @@ struct ChainSettings {
   double bead = 0.1;  // [kg]
   double load = 50;   // [kg] at the lower end
   double dt = 0.02;   // [s]
+  int parts = 4;      // into which the third of the four cures cuts a step
 };
 
 /// How a chain is stepped, and where it begins.
@@ -77,14 +78,17 @@ struct Growth {
 
 struct ChainRuns {
   ChainSettings settings = {};
-  List<Critical> criticals = {};  // dt, dt / 2, dt / 4
+  List<Critical> criticals = {};  // dt, dt / 2, dt / parts
   List<Growth> growths = {};
   List<ChainRun> sweeps = {};  // 10, 100, 10 000, and the exact solver
   List<ChainRun> cures = {};   // exactly solved: in the order below
 };
 
 enum : int { ten_sweeps, hundred_sweeps, many_sweeps, exactly };  // of ChainRuns::sweeps
-enum : int { heavier, enough_mass, quarter_steps, by_default };   // of ChainRuns::cures
+enum : int { heavier, enough_mass, short_steps, by_default };     // of ChainRuns::cures
+
+/// "a quarter", or "1/9".
+std::string part_name(const ChainSettings& settings);
 
 // What is printed, checked and drawn.
 

@@ -14,26 +14,29 @@ void draw_chain(Page& page, const Rect& rect, const ChainRuns& runs, const Snaps
   draw_world(page, camera, chain, {.numbers = false, .contacts = false, .penetration = false});
 }
 
-/// One bead beside the line, and what its two rods do to it.
-void draw_aside(Page& page, const Rect& rect) {
-  const Camera camera =
-      fit(page.panel(rect, "one bead aside by x (not to scale)"), {{-0.75, -1.15}, {0.75, 0.15}});
-  const List<Vec2<double>> places = {{0, 0}, {0.3, -0.5}, {0, -1}};
+/// A bead beside the line by 1, its neighbours at `beside`, and what its two rods do to it.
+void draw_aside(Page& page, const Rect& rect, double beside, const std::string& title,
+                const std::string& sum) {
+  const Camera camera = fit(page.panel(rect, title), {{-0.78, -2.2}, {0.45, 0.2}});
+  const double x = 0.3;  // [m]
+  const List<Vec2<double>> places = {{beside * x, 0}, {x, -1}, {beside * x, -2}};
   for (int i = 0; i < 2; ++i)
     page.canvas().line(camera.project(places[i]), camera.project(places[i + 1]),
                        {.width = page.sizes().outline, .color = page.theme().secondary_text});
-  page.canvas().line(camera.project({0, 0}), camera.project({0, -1}),
+  page.canvas().line(camera.project({0, 0.15}), camera.project({0, -2.15}),
                      {.width = page.sizes().grid, .color = page.theme().secondary_text});
   for (const Vec2<double>& place : places)
     page.canvas().circle(camera.project(place), page.sizes().marker + 2, {.fill = page.theme().outline});
-  const ArrowScale scale{.pixels_per_unit = 0.3 * camera.scale, .longest = camera.scale, .unit = "f"};
+  const ArrowScale scale{.pixels_per_unit = 0.5 * camera.scale, .longest = camera.scale, .unit = "f"};
+  Vec2<double> both = {0, 0};
   for (const int end : {0, 2}) {
     const Vec2<double> along = (places[end] - places[1]).normalized();
+    both += along;
     draw_arrow(page, camera, scale,
                {.kind = ArrowKind::joint, .tail = places[1], .value = along, .label = "f"});
   }
   draw_arrow(page, camera, scale,
-             {.kind = ArrowKind::external, .tail = places[1], .value = {-1.03, 0}, .label = "2 f x / l"});
+             {.kind = ArrowKind::external, .tail = places[1], .value = both, .label = sum});
 }
 
 /// What steps make of a swing, from rest.
@@ -56,25 +59,27 @@ Plot swing_plot(const Page& page) {
 }
 
 void draw_swing(Page& page, const ChainRuns&) {
-  const List<Rect> parts = in_columns(page, {0.45, {0.55, {0.64, 0.36}}});
-  draw_aside(page, parts[0]);
-  draw_plot(page, parts[1], swing_plot(page));
-  page.note(parts[2], "A step keeps both directions",
-            "It pulls with 2 f x / l all the time, even where the bead has long passed the line. Above ω Δt "
-            "= 2 each "
-            "swing ends farther out than it began.");
+  const List<Rect> parts = in_columns(page, {0.24, 0.24, {0.52, {0.64, 0.36}}});
+  draw_aside(page, parts[0], 0, "one bead aside by x", "2 f x / l");
+  draw_aside(page, parts[1], -1, "its neighbours by −x", "4 f x / l");
+  draw_plot(page, parts[2], swing_plot(page));
+  page.note(parts[3], "A step keeps both directions",
+            "It pulls as hard all the way, even where the bead has long passed the line. Below ω Δt = 2 the "
+            "swing stays within a bound, 3.2 at 1.9; above, each swing is wider than the one before.");
 }
+
+std::string short_name(const ChainRuns& runs) { return "steps of " + part_name(runs.settings); }
 
 /// What fails, and the four that the question names.
 List<const ChainRun*> asked(const ChainRuns& runs) {
   return {&runs.sweeps[ten_sweeps], &runs.sweeps[many_sweeps], &runs.sweeps[exactly],
-          &runs.cures[quarter_steps], &runs.cures[heavier]};
+          &runs.cures[short_steps], &runs.cures[heavier]};
 }
 
 void draw_asked(Page& page, const ChainRuns& runs, int step) {
   const List<Rect> parts = in_columns(page, {1, 1, 1, 1, 1});
   const FixedList<std::string, 5> titles = {"10 sweeps", "(1) 10 000 sweeps", "(2) exact",
-                                            "(3) quarter steps", "(4) twice the mass"};
+                                            "(3) " + short_name(runs), "(4) twice the mass"};
   const List<const ChainRun*> chains = asked(runs);
   for (int i = 0; i < chains.size(); ++i)
     draw_chain(page, parts[i], runs, chains[i]->frames[step], titles[i]);
@@ -137,14 +142,14 @@ void draw_growth(Page& page, const ChainRuns& runs) {
 void draw_cures(Page& page, const ChainRuns& runs) {
   const List<Rect> parts = in_rows(page, {{0.72, {0.2, 0.2, 0.6}}, 0.28});
   draw_chain(page, parts[0], runs, runs.cures[heavier].frames.back(), "twice the mass");
-  draw_chain(page, parts[1], runs, runs.cures[enough_mass].frames.back(), "mass Δt² k / 2");
+  draw_chain(page, parts[1], runs, runs.cures[enough_mass].frames.back(), "enough mass");
   draw_plot(page, parts[2],
-            off_plot(page, {&runs.cures[heavier], &runs.cures[enough_mass], &runs.cures[quarter_steps]}));
-  page.note(
-      parts[3], "The mass that cures it",
-      fmt::format("With max(m, Δt² k / 2), here {:.3g} kg for the first bead, ω Δt is 2 at most, whatever "
-                  "hangs below. Weights stay as they are.",
-                  masses_needed(runs.settings)[0]));
+            off_plot(page, {&runs.cures[heavier], &runs.cures[enough_mass], &runs.cures[short_steps]}));
+  page.note(parts[3], "The mass that cures it",
+            fmt::format(
+                "With {:.3g} kg for the first bead, and a little less for each one below, ω Δt is 2 at most. "
+                "Weights stay as they are.",
+                masses_needed(runs.settings)[0]));
 }
 
 Shot answering_shot(const ChainRuns& runs) {
@@ -160,7 +165,8 @@ Shot answering_shot(const ChainRuns& runs) {
            [&runs](Page& page, const Rect& rect) {
              const List<Rect> parts = in_columns(page, rect, {1, 1});
              draw_chain(page, parts[0], runs, runs.sweeps[exactly].frames.back(), "(2) exact");
-             draw_chain(page, parts[1], runs, runs.cures[quarter_steps].frames.back(), "(3) quarter steps");
+             draw_chain(page, parts[1], runs, runs.cures[short_steps].frames.back(),
+                        "(3) " + short_name(runs));
            },
        .evidence = evidence},
       fmt::format("(3). A chain holds up to ω Δt = 2: {:.1f} kg here, twice that with twice the mass, and "
@@ -183,9 +189,10 @@ List<Shot> chain_shots(const ChainRuns& runs) {
                                     "at the start, a zigzag after step 20; and the question",
                              .scene = draw_scene})};
   shots.push_back(
-      key_shot(runs, "one bead",
-               "Left: a bead beside the line of its neighbours, pulled back by both rods. Right: with ω "
-               "Δt = 0.5 and 1.9 it swings, with 2.1 each swing is wider than the one before.",
+      key_shot(runs, "one bead · x drawn large",
+               "Left: a bead beside the line of its neighbours, pulled back by both rods, and the same with "
+               "its neighbours on the other side, pulled twice as hard. Right: with ω Δt = 0.5 and 1.9 it "
+               "swings, with 2.1 each swing is wider than the one before.",
                draw_swing));
   for (int k = 1; k <= film_steps; ++k) shots.push_back(asked_shot(runs, k));
   shots.push_back(

@@ -29,8 +29,9 @@ void print_tables(Lesson& lesson, const ChainRuns& runs) {
   const List<double> own = squared_frequencies(settings, List<double>(settings.beads, settings.bead)),
                      raised = squared_frequencies(settings, masses_needed(settings));
   lesson.print(fmt::format(
-      "With that mass: ω Δt {:.3f} instead of {:.3f}; the slowest swing {:.3f} s instead of {:.3f} s.",
-      settings.dt * std::sqrt(raised.back()), settings.dt * std::sqrt(own.back()),
+      "With enough mass, {:.3g} kg for the first bead: ω Δt {:.3f} instead of {:.3f}; the slowest swing "
+      "{:.3f} s instead of {:.3f} s.",
+      masses_needed(settings)[0], settings.dt * std::sqrt(raised.back()), settings.dt * std::sqrt(own.back()),
       2 * std::numbers::pi / std::sqrt(raised.front()), 2 * std::numbers::pi / std::sqrt(own.front())));
   lesson.print();
 }
@@ -55,7 +56,7 @@ void check_runs(Lesson& lesson, const ChainRuns& runs) {
   int kept = 0;
   for (const ChainRun& run : runs.sweeps) kept += run.torn < 0 ? 1 : 0;
   const List<double> raised = squared_frequencies(runs.settings, masses_needed(runs.settings));
-  lesson.check_small("ω Δt of the fastest swing, with the mass Δt² k / 2",
+  lesson.check_small("ω Δt of the fastest swing, with enough mass",
                      runs.settings.dt * std::sqrt(raised.back()), 2 * (1 + 100 * epsilon));
   if (load > 3 * critical)
     lesson.check_that("10, 100, 10 000 sweeps, and exact: none of them keeps it (chains kept)", kept == 0,
@@ -64,11 +65,11 @@ void check_runs(Lesson& lesson, const ChainRuns& runs) {
   if (load > 3 * critical)
     lesson.check_that("beads of twice the mass are not enough (step)", runs.cures[heavier].torn > 0,
                       fmt::format("{}", runs.cures[heavier].torn));
-  lesson.check_that("the mass Δt² k / 2 holds (mm)", runs.cures[enough_mass].torn < 0,
+  lesson.check_that("enough mass holds (mm)", runs.cures[enough_mass].torn < 0,
                     fmt::format("{:.2g}", 1000 * runs.cures[enough_mass].off_most()));
   if (load < 0.9 * runs.criticals[2].predicted)
-    lesson.check_that("steps of a quarter hold (mm)", runs.cures[quarter_steps].torn < 0,
-                      fmt::format("{:.2g}", 1000 * runs.cures[quarter_steps].off_most()));
+    lesson.check_that("steps of " + part_name(runs.settings) + " hold (mm)", runs.cures[short_steps].torn < 0,
+                      fmt::format("{:.2g}", 1000 * runs.cures[short_steps].off_most()));
   if (load > critical)
     lesson.check_small("the default holds: never farther off than at the beginning (m)",
                        runs.cures[by_default].off_most(), 0.001 * (1 + 16 * epsilon));

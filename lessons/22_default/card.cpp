@@ -8,8 +8,8 @@ const LessonCard lesson22(
      .name = "default",
      .title = "What you get if you ask for nothing",
      .idea =
-         "A scene that names no setting gets four substeps, each solved twice, and while it is small with "
-         "all rows at once. Take one part away at a time, and see what it was good for.",
+         "Sweeps carry a pull from joint to joint, and all rows at once carry it through. A small scene that "
+         "names no setting gets all rows at once: see what they are good for.",
      .paper = "paper 5, and beyond",
      .equations = {"work of a step = substeps × solves × systems or sweeps × rows × the price of one"},
      .needs = {"lesson 18", "lesson 19", "lesson 21"},
@@ -20,16 +20,18 @@ const LessonCard lesson22(
          "opens by more than 12\u00a0mm, and all 13 together by 7\u00a0cm. By how many centimetres does the "
          "load sink then?",
      .spoilers = {"59 cm", "Pythagoras"},
-     .unasked = {"stones", "tower"},
+     .unasked = {"tower"},
      .wrong = {{{0}, {3}, "The gaps of thirteen joints add up, and the planks need not stay level."},
                {{3.1}, {20}, "That is along the bridge. A rope that is a little longer hangs a lot lower."},
-               {{75}, {110}, "Either half of the bridge has half of the gaps only."}},
+               {{20.1},
+                {47},
+                "Lower still. A triangle of 6\u00a0m, with a long side of 6.035\u00a0m: how high is it?"},
+               {{71.5}, {140}, "Either half of the bridge is a triangle of its own, with half of the gaps."}},
      .hints = {"What becomes of a level chain that is a little too long?",
                "Each half is the long side of a triangle. How high is that triangle?",
                "√((6 + x)² − 6²), where x is half of all gaps, 3.5 cm."},
      .parameters = {{"planks", 12, 4, 24, "", "of the bridge", Parameter::Kind::whole},
                     {"density", 20, 1, 200, "kg/m^2", "of its loads, of 0.64 m^2 each"},
-                    {"stones", 30, 1, 60, "", "of the small pile", Parameter::Kind::whole},
                     {"tower", 110, 101, 130, "", "boxes of the tower beyond the border",
                      Parameter::Kind::whole}},
      .cover = 1,

@@ -1,4 +1,4 @@
-// Lesson 22. Scenes under the default setting, and under the same with one part of it switched off.
+// Lesson 22. A bridge under the default setting, and under the same with one part of it switched off.
 #pragma once
 
 #include <cairn/scenes/default_setting.hpp>
@@ -13,7 +13,6 @@ inline constexpr double seconds = 1;  // of each run of a small scene
 struct DefaultSettings {
   int planks = 12;      // of the bridge
   double density = 20;  // [kg/m^2] of its loads
-  int stones = 30;      // of the small pile
   int tower = 110;      // boxes of the tower that is beyond the border
 };
 
@@ -26,7 +25,6 @@ struct Kind {
 };
 
 Kind beam(int pieces);
-Kind chain(int links, double ratio);
 Kind tower(int boxes);
 Kind pile(int stones);
 /// Planks as long as the gap between two banks, and three loads, the middle one of which is watched.
@@ -41,7 +39,7 @@ struct Part {
 /// In this order: nothing, the substeps, the second solve with the arcs and the mass of joints, all systems
 /// but the first, all rows at once.
 List<Part> parts();
-enum : int { nothing_off, one_substep, baumgarte, one_system, swept };
+enum : int { nothing_off, one_substep, one_solve, one_system, swept };
 
 /// One scene under one setting.
 struct Outcome {
@@ -74,13 +72,13 @@ struct SweepTrial {
 struct DefaultRuns {
   DefaultSettings settings = {};
   double from_simulation = 0;  // [m] between the bridge under the default and the same in a Simulation
-  List<Trials> small = {};     // bridge, beam, chain, pile: each part switched off in turn
+  Trials bridge = {};          // each part switched off in turn
+  Trials beam = {};            // the default, and 20 sweeps
   List<Trials> large = {};     // a tower and a pile beyond the border: sweeps, and all rows at once
   List<SweepTrial> sweeps = {};
 };
-enum : int { the_bridge, the_beam, the_chain, the_pile };  // of DefaultRuns::small
-enum : int { the_tower, the_large_pile };                  // of DefaultRuns::large
-enum : int { by_sweeps, at_once };                         // of their outcomes
+enum : int { the_tower, the_large_pile };  // of DefaultRuns::large
+enum : int { by_sweeps, at_once };         // of their outcomes
 
 /// Steps the scene for so long [s].
 Outcome try_setting(const Kind& kind, const Setting& setting, double duration);

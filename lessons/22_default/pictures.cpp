@@ -1,4 +1,4 @@
-// Each kind of scene with a part of the default off, what that leaves and costs, and what is beyond the
+// The bridge and its gaps, the beam, the bridge with a part of the default off, and what is beyond the
 // border.
 #include "lesson.hpp"
 
@@ -11,96 +11,67 @@ std::string millimetres(double metres) {
   return significant(1000 * metres, metres < 0.1 ? 2 : 3) + " mm";
 }
 
-/// [m] What the picture of a scene tells.
-double told(const Kind& kind, const Outcome& outcome) {
-  if (kind.watched != ground) return outcome.sunk;
-  return std::max(outcome.overlap, outcome.gap);
+/// How wide the gap between the banks of a bridge is.
+void draw_width(Page& page, const Camera& camera, const Kind& kind) {
+  const double end = kind.view.upper.x() - 1, below = -0.9;
+  draw_length(page, camera.project({-end, below}), camera.project({end, below}),
+              {.width = 2, .color = page.theme().secondary_text});
+  page.canvas().text(camera.project({0, below}) - Point(0, 0.5 * page.label().size),
+                     fmt::format("{:g} m", 2 * end), aligned(page.label(), Align::center));
 }
 
-std::string telling(const Kind& kind) {
-  if (kind.watched != ground) return "sinks by";
-  return kind.name == "pile" ? "overlaps by" : "opens by";
-}
-
-void draw_scene(Page& page, const Rect& rect, const Kind& kind, const Snapshot& now,
-                const std::string& title) {
+void draw_scene(Page& page, const Rect& rect, const Kind& kind, const Snapshot& now, const std::string& title,
+                bool has_width = false) {
   const Rect inside = page.panel(rect, title);
+  const Camera camera = fit(inside, kind.view);
   page.canvas().push_clip(inside);
-  draw_world(page, fit(inside, kind.view), now, {.numbers = false, .contacts = false, .penetration = false});
+  draw_world(page, camera, now, {.numbers = false, .contacts = false, .penetration = false});
+  if (has_width) draw_width(page, camera, kind);
   page.canvas().pop_clip();
 }
 
-void draw_parts(Page& page, const Trials& trials) {
-  const List<Rect> panels = in_columns(page, {{0.5, {1, 1, 1}}, {0.5, {1, 1, 1}}});
-  for (int i = 0; i < trials.outcomes.size(); ++i) {
-    const Outcome& outcome = trials.outcomes[i];
-    draw_scene(page, panels[i], trials.kind, outcome.lowest,
-               fmt::format("{}: {}", outcome.name, millimetres(told(trials.kind, outcome))));
+/// How far the load of the bridge sinks with each part off, as points on a logarithmic axis.
+void draw_parts(Page& page, const DefaultRuns& runs) {
+  constexpr int decades = 3;
+  const List<Outcome>& outcomes = runs.bridge.outcomes;
+  const Rect inside = page.panel(in_rows(page, {1})[0], "the middle load sinks by, on a logarithmic axis");
+  TextStyle name = page.label(), bold = page.label();
+  name.size = bold.size = render::large_text;
+  bold.bold = true;
+  bold.halo = page.theme().panel;
+  const double left = inside.x + page.canvas().text_width("one substep  ", name);
+  const double decade =
+      (inside.x + inside.width - left - page.canvas().text_width(" 592 mm", bold)) / decades;
+  const double line = (inside.height - 2 * name.size) / outcomes.size(),
+               bottom = inside.y + line * outcomes.size();
+  for (int power = 0; power <= decades; ++power) {
+    const double x = left + power * decade;
+    page.canvas().line({x, inside.y}, {x, bottom}, {.width = page.sizes().grid, .color = page.theme().grid});
+    page.canvas().text({x, bottom + 1.4 * page.tick().size}, fmt::format("{:g} mm", std::pow(10, power)),
+                       aligned(page.tick(), Align::center));
   }
-  page.note(panels.back(), "One part is off",
-            fmt::format("The {} {} so much at worst. Row updates a step: {} by default, {} with one "
-                        "substep, {} with 20 sweeps.",
-                        trials.kind.name, telling(trials.kind), spaced(trials.outcomes[nothing_off].work),
-                        spaced(trials.outcomes[one_substep].work), spaced(trials.outcomes[swept].work)));
+  for (int i = 0; i < outcomes.size(); ++i) {
+    const double y = inside.y + line * (i + 0.5), base = y + 0.36 * name.size;
+    const double width = decade * std::max(0.0, std::log10(1000 * outcomes[i].sunk));
+    page.canvas().text({inside.x, base}, outcomes[i].name, name);
+    page.canvas().circle({left + width, y}, 1.6 * page.sizes().marker, {.fill = page.theme().text});
+    page.canvas().text({left + width + 18, base}, millimetres(outcomes[i].sunk), bold);
+  }
 }
 
 void draw_beam(Page& page, const DefaultRuns& runs) {
   const List<Rect> parts = in_rows(page, {{0.76, {1, 1}}, 0.24});
-  const Trials& trials = runs.small[the_beam];
+  const Trials& trials = runs.beam;
   for (const int i : {0, 1}) {
-    const Outcome& outcome = trials.outcomes[i == 0 ? nothing_off : swept];
+    const Outcome& outcome = trials.outcomes[i];
     draw_scene(page, parts[i], trials.kind, outcome.lowest,
                fmt::format("{}: its end sinks by {}", outcome.name, millimetres(outcome.sunk)));
   }
   page.note(
       parts[2], "A load that is carried far",
-      fmt::format("Row updates a step: {} by default, {} with 20 sweeps. Its welds leave no freedom, so "
-                  "one linear system is enough.",
-                  spaced(trials.outcomes[nothing_off].work), spaced(trials.outcomes[swept].work)));
-}
-
-Shot parts_shot(const Trials& trials) {
-  std::string alt =
-      fmt::format("Five times the {}, where it is worst. It {}", trials.kind.name, telling(trials.kind));
-  for (const Outcome& outcome : trials.outcomes)
-    alt += fmt::format(" {} with {},", millimetres(told(trials.kind, outcome)), outcome.name);
-  alt.back() = '.';
-  return {.state = fmt::format("{} · one part off", trials.kind.name),
-          .alt = alt,
-          .draw = [&trials](Page& page) { draw_parts(page, trials); },
-          .key = true};
-}
-
-/// A bar for each part that is off: what it leaves. At the right, what it costs.
-void draw_trade(Page& page, const Rect& rect, const Trials& trials) {
-  const Rect inside =
-      page.panel(rect, fmt::format("the {} {}; row updates a step", trials.kind.name, telling(trials.kind)));
-  TextStyle value = page.label(), work = page.label();
-  value.bold = true;
-  work.align = Align::right;
-  double most = 0, names = 0;
-  for (const Outcome& outcome : trials.outcomes) {
-    most = std::max(most, told(trials.kind, outcome));
-    names = std::max(names, page.canvas().text_width(outcome.name, page.label()));
-  }
-  const double left = inside.x + names + 10, right = inside.x + inside.width;
-  const double longest = right - left - page.canvas().text_width("2400 mm  999 999", value) - 16;
-  const double line = inside.height / trials.outcomes.size();
-  for (int i = 0; i < trials.outcomes.size(); ++i) {
-    const Outcome& outcome = trials.outcomes[i];
-    const double y = inside.y + line * (i + 0.5), base = y + 0.36 * value.size;
-    const double width = longest * told(trials.kind, outcome) / most;
-    page.canvas().text({inside.x, base}, outcome.name, page.label());
-    page.canvas().rect({left, y - 0.3 * line, std::max(width, 2.0), 0.6 * line},
-                       {.fill = page.theme().secondary_text});
-    page.canvas().text({left + width + 8, base}, millimetres(told(trials.kind, outcome)), value);
-    page.canvas().text({right, base}, spaced(outcome.work), work);
-  }
-}
-
-void draw_trades(Page& page, const DefaultRuns& runs) {
-  const List<Rect> parts = in_rows(page, {{0.5, {1, 1}}, {0.5, {1, 1}}});
-  for (int i = 0; i < runs.small.size(); ++i) draw_trade(page, parts[i], runs.small[i]);
+      fmt::format("Row updates a step: {} by default, {} with 20 sweeps. Welds have nothing to guess, so one "
+                  "linear system is enough.",
+                  spaced(trials.outcomes[0].work), spaced(trials.outcomes[1].work)));
 }
 
 void draw_sweeps(Page& page, const DefaultRuns& runs) {
@@ -115,7 +86,7 @@ void draw_sweeps(Page& page, const DefaultRuns& runs) {
       plot.labels.push_back({trial.work, 1000 * trial.sunk,
                              fmt::format("{} sweeps: {}", trial.sweeps, millimetres(trial.sunk))});
   }
-  const Outcome& usual = runs.small[the_bridge].outcomes[nothing_off];
+  const Outcome& usual = runs.bridge.outcomes[nothing_off];
   Series exact{.style = render::style_of_solver(page.theme(), "newton")};
   exact.add(usual.work, 1000 * usual.sunk);
   plot.labels.push_back({usual.work, 1000 * usual.sunk, "all rows at once: " + millimetres(usual.sunk)});
@@ -192,7 +163,7 @@ void draw_triangle(Page& page, const Rect& rect, double half, const Snapshot& br
 
 void draw_gaps(Page& page, const DefaultRuns& runs) {
   const List<Rect> parts = in_columns(page, {0.44, {0.56, {0.5, 0.5}}});
-  const Outcome& loose = runs.small[the_bridge].outcomes[swept];
+  const Outcome& loose = runs.bridge.outcomes[swept];
   const List<SnapshotJoint>& joints = loose.lowest.joints;
   BarChart gaps{.title = "20 sweeps: the gap of each joint (mm)", .digits = 3};
   for (int i = 0; i < joints.size(); ++i)
@@ -200,12 +171,12 @@ void draw_gaps(Page& page, const DefaultRuns& runs) {
   draw_bars(page, parts[0], gaps);
   const double half = 0.5 * runs.settings.planks, longer = longer_half(loose.lowest);
   draw_triangle(page, parts[1], half, loose.lowest);
-  page.note(
-      parts[2], "A root makes much of little",
-      fmt::format("All gaps together are {:.1f} cm, so either half is {:.1f} cm longer. Straight, it "
-                  "hangs by √(2 · {:g} m · {:.3f} m) = {:.0f}\u00a0cm. The bridge is curved: its load has "
-                  "sunk by {:.0f} cm.",
-                  200 * longer, 100 * longer, half, longer, 100 * hangs_by(half, longer), 100 * loose.sunk));
+  page.note(parts[2], "A root makes much of little",
+            fmt::format(
+                "All gaps together are {:.1f}\u00a0cm, so either half is {:.1f}\u00a0cm longer. Straight, it "
+                "hangs by √(2 · {:g} m · {:.3f} m) = {:.0f}\u00a0cm. The bridge is curved: its load has "
+                "sunk by {:.0f}\u00a0cm.",
+                200 * longer, 100 * longer, half, longer, 100 * hangs_by(half, longer), 100 * loose.sunk));
 }
 
 Shot asking_shot(const Trials& loaded) {
@@ -215,7 +186,7 @@ Shot asking_shot(const Trials& loaded) {
                .scene =
                    [&loaded](Page& page, const Rect& rect) {
                      draw_scene(page, rect, loaded.kind, loaded.outcomes[nothing_off].last,
-                                "the default: all rows at once");
+                                "the default: all rows at once", true);
                    },
                .place = ScenePlace::above});
 }
@@ -241,28 +212,28 @@ Shot answering_shot(const Trials& loaded) {
 }  // namespace
 
 List<Shot> default_shots(const DefaultRuns& runs) {
-  return {asking_shot(runs.small[the_bridge]),
-          key_shot(runs, "the gaps",
-                   "Bars of millimetres, one for each joint of the bridge; and a triangle, half of the "
-                   "bridge level and hanging, hardly longer but far lower.",
-                   draw_gaps),
-          key_shot(runs, "more sweeps",
-                   "How far the load of the bridge sinks against the work of 20 to 640 sweeps, a line that "
-                   "falls slowly, and far below it the dot of all rows at once.",
-                   draw_sweeps),
-          key_shot(runs, "beam",
-                   "The beam by default, level, and under 20 sweeps, its end more than two metres lower.",
-                   draw_beam),
-          parts_shot(runs.small[the_bridge]),
-          key_shot(runs, "what it leaves, and what it costs",
-                   "Four panels of bars, one for each part that is off, with what it leaves and its row "
-                   "updates: 20 sweeps leave the most, the default leaves the least.",
-                   draw_trades),
-          key_shot(runs, "beyond 300 freedoms",
-                   "The top of the tower sinks ever faster under sweeps and not at all under newton; the "
-                   "pile overlaps by a few millimetres under both.",
-                   draw_beyond),
-          answering_shot(runs.small[the_bridge])};
+  return {
+      asking_shot(runs.bridge),
+      key_shot(runs, "the gaps",
+               "Bars of millimetres, one for each joint of the bridge; and a triangle, half of the "
+               "bridge level and hanging, hardly longer but far lower.",
+               draw_gaps),
+      key_shot(runs, "more sweeps",
+               "How far the load of the bridge sinks against the work of 20 to 640 sweeps, a line that "
+               "falls slowly, and far below it the dot of all rows at once.",
+               draw_sweeps),
+      key_shot(runs, "beam",
+               "The beam by default, level, and under 20 sweeps, its end more than two metres lower.",
+               draw_beam),
+      key_shot(runs, "one part off",
+               "Points on a logarithmic axis, one for each part of the default that is off: the load of the "
+               "bridge sinks least by default, and most under 20 sweeps.",
+               draw_parts),
+      key_shot(runs, "beyond 300 freedoms",
+               "The top of the tower sinks ever faster under sweeps and not at all under newton; the "
+               "pile overlaps by a few millimetres under both.",
+               draw_beyond),
+      answering_shot(runs.bridge)};
 }
 
 }  // namespace cairn::usual

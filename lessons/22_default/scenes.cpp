@@ -1,31 +1,9 @@
-// The scenes: a chain with a heavy bob, a tower, a pile of stones between walls, a bridge with a load.
+// The scenes: a bridge with loads, a beam, a tower, a pile of stones between walls.
 #include "lesson.hpp"
 
 #include "lessons/kit/random.hpp"
 
 namespace cairn::usual {
-
-Kind chain(int links, double ratio) {
-  constexpr double link = 0.5, radius = 0.4;
-  const Vec2<double> along = {std::sin(pi / 6), -std::cos(pi / 6)};
-  Scene scene({.gravity = {0, -10}});
-  Vec2<double> joint = {0, 0};
-  BodyId above = ground;
-  for (int i = 0; i <= links; ++i) {
-    const bool is_bob = i == links;
-    const Shape<double> shape = is_bob ? Shape<double>(circle(radius)) : box(link, 0.12);
-    const BodyId body = scene.add({.shapes = {shape},
-                                   .position = joint + along * (is_bob ? radius : link / 2),
-                                   .angle = is_bob ? 0 : std::atan2(along.y(), along.x()),
-                                   .mass = is_bob ? ratio : 1,
-                                   .filter = {.collides_with = 0}});
-    scene.join<RevoluteJoint>({.a = above, .b = body, .anchor = joint});
-    joint += along * link;
-    above = body;
-  }
-  const double length = links * link + 2 * radius;
-  return {"chain", scene, {}, {{-0.6 * length, -1.1 * length}, {0.6 * length, 0.5}}};
-}
 
 Kind beam(int pieces) {
   constexpr double piece = 0.5;

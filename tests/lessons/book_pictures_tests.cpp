@@ -113,7 +113,7 @@ TEST_CASE("each frame that a lesson's text asks for stands there, and so does wh
     ++hands;
     CHECK(page->second.find(">In your hand") < page->second.find("<h2 id=\"what-to-look-at\""));
   }
-  CHECK(frames >= 4 * 20);
+  CHECK(frames >= 3 * 20);
   CHECK(hands >= 8);
 }
 
