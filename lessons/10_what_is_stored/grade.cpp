@@ -93,7 +93,8 @@ void grade_time(Grade& grade) {
   grade.number({.what = "4000 boxes, two rows each", .value = 4 * (3 * boxes - 2), .tolerance = 0}, counted);
   grade.number({.what = "processor time for them above 0.25 s", .value = 0, .tolerance = 0},
                std::max(0.0, seconds - most));
-  if (seconds > most) grade.explain("That time is that of all pairs, also if it is a copy that is looked at.");
+  if (seconds > most)
+    grade.explain("That time is that of all pairs, also if it is a copy that is looked at.");
 }
 
 /// A row of a stack meets six at most: whoever looks at all pairs, looks at each row 2000 times.
