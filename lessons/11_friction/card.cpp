@@ -15,10 +15,9 @@ const LessonCard lesson11(
      .needs = {"lesson 03"},
      .reads = {"src/constraints/contact.cpp", "src/constraints/row.hpp",
                "src/solvers/iterative/sequential_impulse.cpp"},
-     .question = "A square block of 1 kg with μ = 0.5 slides down a slope of 30°. Friction is at its limit, "
-                 "4.33 N at "
-                 "both "
-                 "corners together. How many newtons of it act at the lower corner?",
+     .question =
+         "A square block of 1\u00a0kg with μ\u00a0=\u00a00.5 slides down a slope of 30°. Friction is at "
+         "its limit, 4.33\u00a0N at both corners together. How many newtons of it act at the lower corner?",
      .spoilers = {"3.25", "6.50", "1.08", "three times"},
      .unasked = {"mu-rough", "mass"},
      .wrong = {{{1}, {1.2}, "So much acts at the upper corner. Onto which one does friction turn the block?"},

@@ -43,7 +43,7 @@ void draw_entry(Page& page, const Rect& cell, double value, bool in_block) {
 
 /// A of three beams: what a block settles stands in the frames on the diagonal, what it cannot beside them.
 void draw_system(Page& page, const Rect& rect, const ChainRun& chain) {
-  const Rect inside = page.panel(rect, "A of three welded beams: λ of x and y in N, of θ in N m");
+  const Rect inside = page.panel(rect, "matrix A of three welded beams: λ of x and y in N, of θ in N m");
   const double size = (inside.height - 24) / 9;
   const double left = inside.x + 32;
   for (int i = 0; i < 9; ++i) {

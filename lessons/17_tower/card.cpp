@@ -18,7 +18,8 @@ const LessonCard lesson17(
          "Ten boxes, ten sweeps. In step\u00a05 SI, from the ground up, finds 133.51\u00a0N at the "
          "ground and 85.83\u00a0N under box\u00a05. A stranger's program finds 133.51\u00a0N and "
          "88.52\u00a0N. Where does this difference come from: (1) it rounds to single precision, (2) it "
-         "builds A and b, as PGS does, (3) it visits the contacts from the top down, (4) it makes eleven "
+         "solves A λ\u00a0=\u00a0b, as PGS does, (3) it visits the contacts from the top down, (4) it makes "
+         "eleven "
          "sweeps?",
      .spoilers = {"four sweeps late", "0.00005"},
      .unasked = {"steps"},
