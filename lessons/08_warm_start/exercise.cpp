@@ -26,8 +26,8 @@ struct Row {
 };
 
 // Lines 1 to 6 of Algorithm 1. Each row begins with what the row of its key had in `kept`, and with 0 if that
-// has none; its bodies get that impulse before the first sweep. The force stays when the step changes from
-// dt_before [s] to dt_now [s]; the impulse is not.
+// has none; its bodies get that impulse before the first sweep. When the step changes from dt_before [s] to
+// dt_now [s], the force stays, and the impulse does not.
 void begin_step(List<Row>& rows, List<Body>& bodies, const List<Kept>& kept, double dt_now,
                 double dt_before) {
   // Your code begins here: about eight lines.

@@ -57,13 +57,14 @@ void draw_stack(Page& page, const Rect& rect, const RatioRun& run, int sweep, co
   page.canvas().pop_clip();
 }
 
-/// The two stacks with the load on the ground after a sweep; `counts` stand above them.
+/// The two stacks with the load on the ground after a sweep, or once it is right; `counts` stand above them.
 void draw_stacks(Page& page, const Rect& rect, const ExtremesRun& run, int sweep,
                  const List<std::string>& counts) {
   const List<Rect> panels = in_columns(page, rect, {1, 1});
+  const RatioRun& heavy = run_of(run.ratios, run.settings.ratio);
   const RatioRun& light = run_of(run.ratios, 1 / run.settings.ratio);
-  draw_stack(page, panels[0], run_of(run.ratios, run.settings.ratio), sweep, counts[0]);
-  draw_stack(page, panels[1], light, std::min(sweep, light.error.size() - 1), counts[1]);
+  draw_stack(page, panels[0], heavy, std::min(sweep, heavy.counted), counts[0]);
+  draw_stack(page, panels[1], light, std::min(sweep, light.counted), counts[1]);
 }
 
 /// The error of the stack with the heavy box above, and where it is right; the other is right after a sweep.
