@@ -51,7 +51,7 @@ void draw_row(Page& page, const Pushes& all) {
   const Rect inside = page.panel(parts[0], "");
   const List<Rect> strips = rows(inside, {1, 1, 1}, 4);
   const FixedList<MatrixView, 3> views = {
-      {{.title = "j: the peg (1) and the box (2)", .values = j},
+      {{.title = "j: body a is the peg, body b the box", .values = j},
        {.title = "the diagonal of M⁻¹, eq (17)", .values = masses, .colors = MatrixColors::magnitude},
        {.title = "j² times that: the sum is j M⁻¹ j^{T}",
         .values = j.array().square() * masses.array(),
@@ -59,7 +59,7 @@ void draw_row(Page& page, const Pushes& all) {
   for (int i = 0; i < strips.size(); ++i) {
     MatrixView view = views[i];
     view.column_group = 3;
-    for (const char* name : {"x_{1}", "y_{1}", "θ_{1}", "x_{2}", "y_{2}", "θ_{2}"})
+    for (const char* name : {"x_{a}", "y_{a}", "θ_{a}", "x_{b}", "y_{b}", "θ_{b}"})
       view.column_names.emplace_back(name);
     const double margin = 0.2 * inside.width;
     draw_matrix(page, {strips[i].x + margin, strips[i].y, inside.width - margin, strips[i].height}, view);

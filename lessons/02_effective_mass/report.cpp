@@ -24,7 +24,7 @@ void print_pair(Lesson& lesson, const Pushes& all) {
   const Vec3<double>& v = push.before.bodies[{2}].velocity;
   const Vec3<double>& w = push.inverse_mass[{2}];
   lesson.print(fmt::format("The peg at x = {:g} m:", push.x));
-  lesson.print("              peg (1): x, y, θ            box (2): x, y, θ");
+  lesson.print("              peg (a): x, y, θ            box (b): x, y, θ");
   const auto line = [&](const char* name, const Vec3<double>& of_a, const Vec3<double>& of_b) {
     lesson.print(fmt::format("  {:<8}{:>8}{:>8}{:>8}    {:>8}{:>8}{:>8}", name, fixed(of_a.x(), 3),
                              fixed(of_a.y(), 3), fixed(of_a.z(), 3), fixed(of_b.x(), 3), fixed(of_b.y(), 3),

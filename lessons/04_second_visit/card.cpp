@@ -24,7 +24,9 @@ const LessonCard lesson04(
          "visit, in N\u00a0s?",
      .spoilers = {"10.82", "32.82"},
      .unasked = {"foot", "speed", "sweeps"},  // the question has their numbers
-     .wrong = {{{54}, {55}, "That foot moves up, so it has given too much: it takes something back."},
+     .wrong = {{{10.5}, {11.1}, "So much it takes back. How much has it given in all?"},
+               {{29}, {31}, "There both feet end, after many visits. This one is the second."},
+               {{54}, {55}, "That foot moves up, so it has given too much: it takes something back."},
                {{43.5}, {43.8}, "That forbids it to take anything back. Only the sum has to stay above 0."}},
      .hints = {"Was the first push of the left foot too small, right, or too large?",
                "43.64 N s have changed the speed of that foot by 10 m/s. How much changes it by 2.48 m/s?",

@@ -66,9 +66,9 @@ ChainSolve solve_chain(VelocityProblem<double> problem, const Vector<double>& ex
   return solve;
 }
 
-/// 12 multiply-adds a row and sweep; a block of n rows n^2 more.
+/// 12 multiply-adds a row and sweep, and one more for each row of its block; a row alone is a block of one.
 void count_work(int rows, int size, ChainRun& run) {
-  run.rows.work = 12LL * rows * run.rows.sweeps;
+  run.rows.work = (12LL + 1) * rows * run.rows.sweeps;
   run.blocks.work = (12LL + size) * rows * run.blocks.sweeps;
 }
 
