@@ -72,4 +72,16 @@ int middle_box(const TowerRuns& runs);
 /// The question, the warm tower step by step, the cold one, and the answer.
 List<Shot> tower_shots(const TowerRuns& runs);
 
+// Boxes that turn.
+
+/// What a stack that falls over has turned, and how far apart three solvers leave it.
+struct TurningRun {
+  std::string name = {};
+  double turned = 0;  // [rad] the most of any box
+  double apart = 0;   // [m, rad] the largest difference of a place or an angle
+};
+List<TurningRun> run_turning();
+void print_turning(Lesson& lesson, const List<TurningRun>& runs);
+void check_turning(Lesson& lesson, const List<TurningRun>& runs);
+
 }  // namespace cairn::tower

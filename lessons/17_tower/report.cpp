@@ -115,6 +115,8 @@ void report(Lesson& lesson, const TowerRuns& runs) {
   print_ends(lesson, runs);
   lesson.print();
   print_fingerprints(lesson, runs);
+  const List<TurningRun> turning = run_turning();
+  print_turning(lesson, turning);
   lesson.answer(
       {3}, 0,
       "From the top down, what the ground gives climbs by one contact a sweep: in step 1 the load under a "
@@ -122,6 +124,7 @@ void report(Lesson& lesson, const TowerRuns& runs) {
   check_runs(lesson, "warm", runs.warm, runs.warm_by_hand, runs.settings);
   check_runs(lesson, "cold", runs.cold, runs.cold_by_hand, runs.settings);
   check_order(lesson, runs);
+  check_turning(lesson, turning);
   const double first = runs.warm[1].loads[1][0];
   lesson.check_equal("step 1 is the same, warm or cold (N)", runs.cold[1].loads[1][0], first, 0);
 }
